@@ -1,0 +1,70 @@
+// Occluders: a triangle mesh, and the bounding volume hierarchy that queries traverse.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+
+#include <glm/vec3.hpp>
+
+namespace lkao {
+
+// A view of an indexed triangle mesh; owns nothing. Positions in world space, in any unit. The front of a
+// triangle is the side from which its corners run counter-clockwise. The index of a triangle in `triangles`
+// is its primitive number.
+struct TriangleMesh {
+  std::span<const glm::vec3> positions;
+  std::span<const glm::uvec3> triangles;
+};
+
+// An axis-aligned box; empty where lower > upper.
+struct Bounds {
+  glm::vec3 lower;
+  glm::vec3 upper;
+};
+
+struct BuildOptions {
+  // Let the builder cut long triangles by splitting their boxes. Costs build time and up to twice the
+  // references, saves most of the traversal in architectural scenes.
+  bool spatial_splits = true;
+};
+
+// What the build found and made. Every triangle of the mesh is an occluder or counted as dropped.
+struct BuildReport {
+  std::size_t triangle_count = 0;    // in the mesh
+  std::size_t occluder_count = 0;    // that can block rays
+  std::size_t zero_area_count = 0;   // dropped: corners on one line, or two corners equal
+  std::size_t non_finite_count = 0;  // dropped: a corner with a NaN or infinite coordinate
+  std::size_t reference_count = 0;   // leaf entries, occluder_count plus those made by spatial splits
+  std::size_t node_count = 0;
+  std::size_t memory_bytes = 0;      // of the finished hierarchy
+  double seconds = 0;                // wall-clock time of the build
+};
+
+namespace bvh {
+struct Layout;
+}
+
+// An immutable hierarchy over the triangles of a mesh: 8 children a node, at most 8 triangles a leaf. It
+// copies what it needs; the mesh may go after the build. Copies share their storage.
+//
+// The constructor builds in parallel, in the TBB arena of the caller. It throws std::invalid_argument where
+// an index is outside `positions`, naming triangle and index, and std::runtime_error where the builder fails
+// (out of memory). A mesh without any usable triangle is valid and blocks nothing.
+// A built hierarchy may be used from any number of threads.
+class OccluderBvh {
+ public:
+  explicit OccluderBvh(const TriangleMesh& mesh, const BuildOptions& options = {});
+
+  const BuildReport& report() const;
+  // Of all occluders; lower = +infinity, upper = -infinity where there is none.
+  const Bounds& bounds() const;
+  // For the kernels of this library.
+  const bvh::Layout& layout() const { return *layout_; }
+
+ private:
+  std::shared_ptr<const bvh::Layout> layout_;
+};
+
+}  // namespace lkao

@@ -1,0 +1,40 @@
+// The answer to one query: which rays of a receiver are blocked, one bit a ray.
+//
+// Based on: S. Laine, T. Karras, "Two Methods for Fast Ray-Cast Ambient Occlusion", EGSR 2010, Sec. 3.1.
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cstdint>
+
+#include "lkao/sample_pattern.h"
+
+namespace lkao {
+
+// Bit i belongs to ray i of the sample pattern: word i / 64, bit i % 64. Bits past the pattern's ray count
+// are always 0. A plain value of 128 bytes.
+class OcclusionMask {
+ public:
+  static constexpr int kMaxWordCount = kMaxRayCount / 64;
+
+  bool test(int ray) const { return (words[ray / 64] >> (ray % 64) & 1u) != 0; }
+  void set(int ray) { words[ray / 64] |= std::uint64_t{1} << (ray % 64); }
+
+  // Number of set bits.
+  int count() const {
+    int sum = 0;
+    for (std::uint64_t word : words) sum += std::popcount(word);
+    return sum;
+  }
+  bool any() const {
+    std::uint64_t all = 0;
+    for (std::uint64_t word : words) all |= word;
+    return all != 0;
+  }
+
+  friend bool operator==(const OcclusionMask&, const OcclusionMask&) = default;
+
+  std::array<std::uint64_t, kMaxWordCount> words{};
+};
+
+}  // namespace lkao
