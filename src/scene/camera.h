@@ -1,0 +1,43 @@
+// A pinhole camera, and the receivers that it sees.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "lkao/ambient_occlusion.h"
+#include "scene/mesh.h"
+
+namespace lkao::scene {
+
+struct Camera {
+  glm::vec3 eye{0};
+  glm::vec3 target{0};
+  glm::vec3 up{0, 1, 0};
+  float fov = 60;  // horizontal, in degrees
+};
+
+// Throws std::invalid_argument naming the fault: eye equal to target, up zero or along the view, fov outside
+// (0, 180), anything not finite.
+void validate(const Camera& camera);
+
+// A camera that looks at the whole box from a three-quarter view.
+Camera frame(const Bounds& bounds, float aspect, const glm::vec3& up = {0, 1, 0}, float fov = 60);
+
+// What a camera sees, a pixel each, row by row from the top.
+struct ReceiverImage {
+  int width = 0;
+  int height = 0;
+  // Of the pixels that see a triangle, in pixel order: position, the triangle's normal turned towards the eye (as both
+  // normals), and the primitive seen as excluded primitive.
+  std::vector<Receiver> receivers;
+  std::vector<std::uint32_t> pixels;  // pixel number (row * width + column) of each receiver
+  std::vector<float> depth;           // distance along the view axis, one a pixel; +infinity where nothing is seen
+};
+
+// Casts one ray through the centre of each pixel, in parallel. Positions are interpolated from the triangle's corners,
+// not from the ray, so they lie on the surface to rounding.
+ReceiverImage find_receivers(const Mesh& mesh, const Camera& camera, int width, int height);
+
+}  // namespace lkao::scene

@@ -1,0 +1,14 @@
+// Scenes by name: a mesh file, or a built-in scene.
+#pragma once
+
+#include <string>
+
+#include "scene/mesh.h"
+
+namespace lkao::scene {
+
+// "builtin:NAME" (see builtin.h) or the path of a mesh file (see mesh_file.h).
+// Throws std::runtime_error with one line that says what is wrong and where.
+Mesh load(const std::string& scene);
+
+}  // namespace lkao::scene
