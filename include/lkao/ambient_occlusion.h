@@ -48,7 +48,7 @@ struct QueryOptions {
   // AO radius: the length of the longest ray, in the unit of the positions. Finite and > 0.
   float radius = 0;
   Sidedness sidedness = Sidedness::two_sided;
-  Jitter jitter;
+  Jitter jitter = {};
   // With a receiver's index, the only source of its jitter.
   std::uint64_t seed = 0;
   // Rays start off the surface, so that rounding does not make a receiver block itself: moved along the

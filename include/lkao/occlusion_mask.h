@@ -3,7 +3,6 @@
 // Based on: S. Laine, T. Karras, "Two Methods for Fast Ray-Cast Ambient Occlusion", EGSR 2010, Sec. 3.1.
 #pragma once
 
-#include <array>
 #include <bit>
 #include <cstdint>
 
@@ -19,6 +18,7 @@ class OcclusionMask {
 
   bool test(int ray) const { return (words[ray / 64] >> (ray % 64) & 1u) != 0; }
   void set(int ray) { words[ray / 64] |= std::uint64_t{1} << (ray % 64); }
+  void reset(int ray) { words[ray / 64] &= ~(std::uint64_t{1} << (ray % 64)); }
 
   // Number of set bits.
   int count() const {
@@ -32,9 +32,22 @@ class OcclusionMask {
     return all != 0;
   }
 
+  friend OcclusionMask operator&(OcclusionMask a, const OcclusionMask& b) {
+    for (int i = 0; i < kMaxWordCount; ++i) a.words[i] &= b.words[i];
+    return a;
+  }
+  friend OcclusionMask operator|(OcclusionMask a, const OcclusionMask& b) {
+    for (int i = 0; i < kMaxWordCount; ++i) a.words[i] |= b.words[i];
+    return a;
+  }
+  OcclusionMask operator~() const {
+    OcclusionMask inverse;
+    for (int i = 0; i < kMaxWordCount; ++i) inverse.words[i] = ~words[i];
+    return inverse;
+  }
   friend bool operator==(const OcclusionMask&, const OcclusionMask&) = default;
 
-  std::array<std::uint64_t, kMaxWordCount> words{};
+  std::uint64_t words[kMaxWordCount] = {};
 };
 
 }  // namespace lkao

@@ -1,0 +1,61 @@
+// May a ray meet a box? Conservative: rounding may keep a ray that misses, never drop one that hits.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <glm/vec3.hpp>
+
+#include "lkao/occluder_bvh.h"
+
+namespace lkao::bvh {
+
+// A ray prepared for box tests. The reciprocal of a zero (or denormal) component is made finite.
+struct BoxRay {
+  BoxRay() = default;
+  explicit BoxRay(const glm::vec3& ray) : reciprocal(safe(ray.x), safe(ray.y), safe(ray.z)) {}
+
+  glm::vec3 reciprocal{0};
+
+ private:
+  static float safe(float component) {
+    const float reciprocal = 1.0f / component;
+    return std::isinf(reciprocal) ? std::copysign(std::numeric_limits<float>::max(), component) : reciprocal;
+  }
+};
+
+// The slab test over the segment's parameter range [0, 1]. Difference, reciprocal and product round once each, so each
+// parameter is within 3 x 2^-24 of the truth; the test grants both ends of the overlap more than that. Moving the faces
+// out by the smallest normal float matters only to a ray that runs within the plane of a face: it turns 0 x reciprocal
+// into -4 and 4, which says truly that the ray is inside the slab all along.
+inline bool may_meet(const BoxRay& ray, const glm::vec3& origin, const Bounds& box) {
+  constexpr float kSlack = 1.0f + 0x1p-20f;
+  constexpr float kTiny = std::numeric_limits<float>::min();
+  float enter = 0.0f, leave = 1.0f;
+  for (int axis = 0; axis < 3; ++axis) {
+    const float at_lower = (box.lower[axis] - origin[axis] - kTiny) * ray.reciprocal[axis];
+    const float at_upper = (box.upper[axis] - origin[axis] + kTiny) * ray.reciprocal[axis];
+    enter = std::max(enter, std::min(at_lower, at_upper));
+    leave = std::min(leave, std::max(at_lower, at_upper));
+  }
+  return enter <= leave * kSlack;
+}
+
+// True where the box lies outside the sphere of `radius` around `origin`, or wholly below the horizon of `up` there
+// (Laine & Karras 2010, Sec. 5): no ray can meet it. Conservative as above.
+inline bool is_out_of_reach(const Bounds& box, const glm::vec3& origin, const glm::vec3& up, float radius) {
+  float distance2 = 0, highest = 0, magnitude = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const float lower = box.lower[axis] - origin[axis], upper = box.upper[axis] - origin[axis];
+    const float gap = std::max(0.0f, std::max(lower, -upper));
+    distance2 += gap * gap;
+    const float height_of_lower = up[axis] * lower, height_of_upper = up[axis] * upper;
+    highest += std::max(height_of_lower, height_of_upper);
+    magnitude += std::max(std::fabs(height_of_lower), std::fabs(height_of_upper));
+  }
+  constexpr float kSlack = 0x1p-20f;
+  return distance2 > radius * radius * (1.0f + 2.0f * kSlack) || highest < -magnitude * kSlack;
+}
+
+}  // namespace lkao::bvh

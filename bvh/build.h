@@ -1,0 +1,13 @@
+// From a mesh to a finished hierarchy, through Embree's builder.
+#pragma once
+
+#include <memory>
+
+#include "bvh/layout.h"
+
+namespace lkao::bvh {
+
+// As OccluderBvh's constructor says.
+std::shared_ptr<const Layout> build(const TriangleMesh& mesh, const BuildOptions& options);
+
+}  // namespace lkao::bvh

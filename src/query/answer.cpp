@@ -1,0 +1,58 @@
+#include "query/answer.h"
+
+#include <algorithm>
+#include <limits>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "query/bent_normal.h"
+
+namespace lkao::query {
+
+ReceiverOcclusion make_answer(const Receiver& receiver, const ReceiverRays& rays, const OcclusionMask& blocked) {
+  const int cast_count = rays.cast.count();
+  if (cast_count == 0) {
+    constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
+    return {kNaN, glm::vec3(kNaN), {}};
+  }
+  return {static_cast<float>(blocked.count()) / static_cast<float>(cast_count),
+          bent_normal(rays, blocked, receiver.normal), blocked};
+}
+
+void require_sizes(const QueryOutputs& outputs, std::size_t receiver_count, int word_count) {
+  const auto require = [](const char* name, std::size_t size, std::size_t wanted) {
+    if (size != 0 && size != wanted) {
+      throw std::invalid_argument(fmt::format("outputs.{} has {} entries, not 0 or {}", name, size, wanted));
+    }
+  };
+  require("occlusion", outputs.occlusion.size(), receiver_count);
+  require("bent_normals", outputs.bent_normals.size(), receiver_count);
+  require("mask_words", outputs.mask_words.size(), receiver_count * static_cast<std::size_t>(word_count));
+}
+
+void store(const QueryOutputs& outputs, std::size_t k, int word_count, const ReceiverOcclusion& answer) {
+  if (!outputs.occlusion.empty()) outputs.occlusion[k] = answer.occlusion;
+  if (!outputs.bent_normals.empty()) outputs.bent_normals[k] = answer.bent_normal;
+  if (!outputs.mask_words.empty()) {
+    const auto words = static_cast<std::size_t>(word_count);
+    std::copy_n(answer.mask.words, words, outputs.mask_words.begin() + static_cast<std::ptrdiff_t>(k * words));
+  }
+}
+
+void count(QueryReport& report, const ReceiverRays& rays, const ReceiverOcclusion& answer) {
+  const int cast_count = rays.cast.count();
+  ++report.receiver_count;
+  report.invalid_receiver_count += cast_count == 0;
+  report.ray_count += static_cast<std::uint64_t>(cast_count);
+  report.blocked_ray_count += static_cast<std::uint64_t>(answer.mask.count());
+}
+
+void add(QueryReport& report, const QueryReport& part) {
+  report.receiver_count += part.receiver_count;
+  report.invalid_receiver_count += part.invalid_receiver_count;
+  report.ray_count += part.ray_count;
+  report.blocked_ray_count += part.blocked_ray_count;
+}
+
+}  // namespace lkao::query

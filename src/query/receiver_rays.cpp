@@ -1,0 +1,87 @@
+#include "query/receiver_rays.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <glm/geometric.hpp>
+
+#include "bvh/zero_area.h"
+#include "lut/random.h"
+
+namespace lkao::query {
+namespace {
+
+// Normals may have any length: the arithmetic is in double, where no float overflows.
+bool is_direction(const glm::vec3& v) { return bvh::is_finite(v) && v != glm::vec3(0); }
+
+glm::dvec3 unit(const glm::vec3& v) { return glm::normalize(glm::dvec3(v)); }
+
+// Tangents that turn smoothly with the normal but for one seam (T. Duff et al., "Building an Orthonormal Basis,
+// Revisited", JCGT 6(1), 2017).
+void make_tangents(const glm::dvec3& n, glm::dvec3& tangent, glm::dvec3& bitangent) {
+  const double sign = std::copysign(1.0, n.z);
+  const double a = -1.0 / (sign + n.z);
+  const double b = n.x * n.y * a;
+  tangent = {1.0 + sign * n.x * n.x * a, sign * b, -sign * n.x};
+  bitangent = {b, sign + n.y * n.y * a, -n.y};
+}
+
+float largest_component(const glm::vec3& v) {
+  return std::max(std::fabs(v.x), std::max(std::fabs(v.y), std::fabs(v.z)));
+}
+
+}  // namespace
+
+bool is_valid(const Receiver& receiver) {
+  return bvh::is_finite(receiver.position) && is_direction(receiver.normal) &&
+         (receiver.geometric_normal == glm::vec3(0) || is_direction(receiver.geometric_normal));
+}
+
+glm::vec3 geometric_normal(const Receiver& receiver) {
+  return unit(receiver.geometric_normal == glm::vec3(0) ? receiver.normal : receiver.geometric_normal);
+}
+
+Basis jittered_basis(const Receiver& receiver, const Jitter& jitter, float lowest_elevation, std::uint64_t seed,
+                     std::uint64_t index) {
+  lut::RandomStream random(lut::mix_bits(seed) ^ index);
+  const double turn = random.next_double() * jitter.rotation * 2.0 * std::numbers::pi;
+  // Evenly over the disk of tilts; a tenth of the lowest elevation stays, so that rounding cannot use it up.
+  const double largest_tilt = std::min(jitter.tilt, 0.9f * lowest_elevation);
+  const double tilt = largest_tilt * std::sqrt(random.next_double());
+  const double tilt_turn = random.next_double() * 2.0 * std::numbers::pi;
+
+  const glm::dvec3 normal = unit(receiver.normal);
+  glm::dvec3 tangent, bitangent;
+  make_tangents(normal, tangent, bitangent);
+  const glm::dvec3 sideways = std::cos(tilt_turn) * tangent + std::sin(tilt_turn) * bitangent;
+  const glm::dvec3 axis = glm::normalize(std::cos(tilt) * normal + std::sin(tilt) * sideways);
+  make_tangents(axis, tangent, bitangent);
+  return {std::cos(turn) * tangent + std::sin(turn) * bitangent, std::cos(turn) * bitangent - std::sin(turn) * tangent,
+          axis};
+}
+
+void make_rays(const Receiver& receiver, const SamplePattern& pattern, const QueryOptions& options,
+               float largest_coordinate, std::uint64_t index, ReceiverRays& rays) {
+  rays.cast = OcclusionMask();
+  rays.ray_count = pattern.ray_count();
+  rays.origin = receiver.position;
+  if (!is_valid(receiver)) return;
+
+  const glm::vec3 up = geometric_normal(receiver);
+  const float largest = std::max(largest_component(receiver.position), largest_coordinate);
+  rays.origin = receiver.position + up * (options.surface_offset * 0x1p-24f * largest);
+
+  const Basis basis =
+      jittered_basis(receiver, options.jitter, pattern.lowest_elevation(), options.seed, index);
+  const std::span<const glm::vec3> directions = pattern.directions();
+  const std::span<const float> lengths = pattern.lengths();
+  for (std::size_t i = 0; i < directions.size(); ++i) {
+    const glm::vec3& d = directions[i];
+    rays.directions[i] = basis.tangent * d.x + basis.bitangent * d.y + basis.axis * d.z;
+    rays.rays[i] = rays.directions[i] * (lengths[i] * options.radius);
+    if (glm::dot(rays.directions[i], up) > 0) rays.cast.set(static_cast<int>(i));
+  }
+}
+
+}  // namespace lkao::query

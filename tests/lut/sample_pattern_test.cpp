@@ -1,0 +1,165 @@
+#include "lkao/sample_pattern.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+#include <vector>
+
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+
+namespace lkao {
+namespace {
+
+class SamplePatternOfCount : public testing::TestWithParam<int> {
+ protected:
+  const SamplePattern& pattern() const { return SamplePattern::standard(GetParam()); }
+};
+
+INSTANTIATE_TEST_SUITE_P(Counts, SamplePatternOfCount, testing::Values(64, 128, 192, 512, 1024));
+
+TEST(SamplePattern, TakesOnlyCountsOnTheGrid) {
+  for (int count : {-64, 0, 1, 63, 65, 100, 1088, 1 << 30}) {
+    EXPECT_FALSE(is_valid_ray_count(count));
+    EXPECT_THROW(SamplePattern::relaxed(count), std::invalid_argument) << count;
+    EXPECT_THROW(SamplePattern::standard(count), std::invalid_argument) << count;
+  }
+  for (int count = 64; count <= 1024; count += 64) EXPECT_TRUE(is_valid_ray_count(count));
+}
+
+TEST(SamplePattern, NamesWhatIsWrong) {
+  std::vector<glm::vec2> points(64, glm::vec2(0.5f, 0.0f));
+  std::vector<float> lengths(64, 1.0f);
+  EXPECT_NO_THROW(SamplePattern::from_disk(points, lengths));
+  points[7] = {0.8f, 0.6001f};
+  try {
+    SamplePattern::from_disk(points, lengths);
+    FAIL() << "a point outside the disk was taken";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_NE(std::string(error.what()).find("point 7"), std::string::npos) << error.what();
+  }
+  points[7] = {std::numeric_limits<float>::quiet_NaN(), 0};
+  EXPECT_THROW(SamplePattern::from_disk(points, lengths), std::invalid_argument);
+  points[7] = {0, 0};
+  for (float bad : {-0.1f, 1.1f, std::numeric_limits<float>::quiet_NaN()}) {
+    lengths[9] = bad;
+    EXPECT_THROW(SamplePattern::from_disk(points, lengths), std::invalid_argument) << bad;
+  }
+  lengths.resize(63);
+  EXPECT_THROW(SamplePattern::from_disk(points, lengths), std::invalid_argument);
+}
+
+TEST(SamplePattern, DependsOnTheSeedAlone) {
+  const SamplePattern a = SamplePattern::relaxed(128, Falloff::constant(), 5);
+  const SamplePattern b = SamplePattern::relaxed(128, Falloff::constant(), 5);
+  const SamplePattern c = SamplePattern::relaxed(128, Falloff::constant(), 6);
+  EXPECT_TRUE(std::equal(a.disk().begin(), a.disk().end(), b.disk().begin()));
+  EXPECT_FALSE(std::equal(a.disk().begin(), a.disk().end(), c.disk().begin()));
+}
+
+TEST_P(SamplePatternOfCount, IsMadeOnceAndIsTheRelaxedOne) {
+  EXPECT_EQ(&SamplePattern::standard(GetParam()), &SamplePattern::standard(GetParam()));
+  const SamplePattern again = SamplePattern::relaxed(GetParam());
+  EXPECT_TRUE(std::equal(again.disk().begin(), again.disk().end(), pattern().disk().begin()));
+  EXPECT_EQ(pattern().ray_count(), GetParam());
+  EXPECT_EQ(pattern().word_count() * 64, GetParam());
+}
+
+TEST_P(SamplePatternOfCount, HasUnitDirectionsAboveTheHorizon) {
+  float lowest = 1;
+  for (const glm::vec3& d : pattern().directions()) {
+    EXPECT_NEAR(glm::length(d), 1.0f, 1e-6f);
+    lowest = std::min(lowest, d.z);
+  }
+  EXPECT_GT(lowest, 0.0f);
+  EXPECT_NEAR(pattern().lowest_elevation(), std::asin(lowest), 1e-6f);
+}
+
+// Cosine weighting: the squared sine of the elevation is uniform, so the k-th lowest is known exactly. This is the
+// boundary bias of plain Lloyd relaxation, which leaves no ray near the horizon.
+TEST_P(SamplePatternOfCount, HasExactElevations) {
+  std::vector<double> z2;
+  for (const glm::vec3& d : pattern().directions()) z2.push_back(static_cast<double>(d.z) * d.z);
+  std::sort(z2.begin(), z2.end());
+  for (std::size_t k = 0; k < z2.size(); ++k) {
+    EXPECT_NEAR(z2[k], (static_cast<double>(k) + 0.5) / static_cast<double>(z2.size()), 1e-6);
+  }
+}
+
+// Any half disk holds half of the points, to a few points: walls darken evenly whatever way they face. Random points
+// miss by sqrt(N) / 2, the edge of the disk alone crosses some sqrt(N) cells of a relaxed pattern.
+TEST_P(SamplePatternOfCount, SharesEveryHalfDisk) {
+  const double n = GetParam();
+  double sum2 = 0;
+  constexpr int kTurns = 360;
+  for (int turn = 0; turn < kTurns; ++turn) {
+    const double angle = turn * 2.0 * std::numbers::pi / kTurns;
+    int count = 0;
+    for (const glm::vec2& p : pattern().disk()) count += p.x * std::cos(angle) + p.y * std::sin(angle) > 0;
+    sum2 += (count - 0.5 * n) * (count - 0.5 * n);
+  }
+  EXPECT_LT(std::sqrt(sum2 / kTurns), 0.2 * std::sqrt(n));
+}
+
+// Blue noise: no two points close together. Hexagonal packing has the largest possible least distance.
+TEST_P(SamplePatternOfCount, KeepsPointsApart) {
+  const auto disk = pattern().disk();
+  float least = 4;
+  for (std::size_t i = 0; i < disk.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) least = std::min(least, glm::distance(disk[i], disk[j]));
+  }
+  const double hexagonal = std::sqrt(2.0 * std::numbers::pi / (std::sqrt(3.0) * GetParam()));
+  EXPECT_GT(least, 0.35 * hexagonal);
+}
+
+// Not the regular spiral it started from: the second step must have scattered the points.
+TEST_P(SamplePatternOfCount, IsIrregular) {
+  const auto disk = pattern().disk();
+  double sum = 0, sum2 = 0;
+  for (std::size_t i = 0; i < disk.size(); ++i) {
+    double nearest = 4;
+    for (std::size_t j = 0; j < disk.size(); ++j) {
+      if (j != i) nearest = std::min(nearest, static_cast<double>(glm::distance(disk[i], disk[j])));
+    }
+    sum += nearest, sum2 += nearest * nearest;
+  }
+  const double mean = sum / GetParam();
+  EXPECT_GT(std::sqrt(sum2 / GetParam() - mean * mean) / mean, 0.05);
+}
+
+TEST_P(SamplePatternOfCount, PutsNeighboursOnNeighbouringBits) {
+  const auto disk = pattern().disk();
+  double path = 0;
+  for (std::size_t i = 1; i < disk.size(); ++i) path += glm::distance(disk[i], disk[i - 1]);
+  const double mean_step = path / (GetParam() - 1);
+  EXPECT_LT(mean_step, 1.6 * std::sqrt(std::numbers::pi / GetParam()));
+}
+
+// P(length >= x) = rho(x), to one ray.
+TEST_P(SamplePatternOfCount, DistributesLengthsAfterTheFalloff) {
+  for (const Falloff& falloff : {Falloff::constant(), Falloff::linear(), Falloff::smooth(), Falloff::exponential(3)}) {
+    const SamplePattern with_lengths = pattern().with_falloff(falloff);
+    for (int place = 1; place < 100; ++place) {
+      const double x = place / 100.0;
+      const auto longer = std::count_if(with_lengths.lengths().begin(), with_lengths.lengths().end(),
+                                        [&](float length) { return length >= x; });
+      EXPECT_NEAR(static_cast<double>(longer) / GetParam(), falloff(x), 1.0 / GetParam()) << falloff.name() << x;
+    }
+    EXPECT_TRUE(std::equal(pattern().disk().begin(), pattern().disk().end(), with_lengths.disk().begin()));
+  }
+}
+
+// Lengths are stratified together with directions: any 16 neighbours on the curve have short and long rays.
+TEST_P(SamplePatternOfCount, MixesLengthsAmongNeighbours) {
+  const SamplePattern linear = pattern().with_falloff(Falloff::linear());
+  for (int first = 0; first + 16 <= GetParam(); ++first) {
+    double sum = 0;
+    for (int i = 0; i < 16; ++i) sum += linear.lengths()[static_cast<std::size_t>(first + i)];
+    EXPECT_NEAR(sum / 16, 0.5, 0.08) << first;
+  }
+}
+
+}  // namespace
+}  // namespace lkao
