@@ -128,7 +128,7 @@ class Builder {
     arguments.maxBranchingFactor = kWidth;
     arguments.maxDepth = 64;
     arguments.maxLeafSize = kWidth;
-    arguments.sahBlockSize = 4;
+    arguments.sahBlockSize = 8;
     arguments.bvh = bvh_;
     arguments.primitives = primitives.data();
     arguments.primitiveCount = count;

@@ -1,6 +1,6 @@
 #include "bvh/triangle_clip.h"
 
-#include <cmath>
+#include <algorithm>
 #include <limits>
 
 #include <glm/common.hpp>
@@ -15,13 +15,13 @@ void extend(Bounds& bounds, const glm::vec3& point) {
   bounds.upper = glm::max(bounds.upper, point);
 }
 
-// Extends the bounds by a computed point, one step of float outwards: its rounding errors, made in double, are smaller.
+// Extends the bounds by a computed point, a step of float outwards: its rounding errors, made in double, are smaller.
 void extend_rounded(Bounds& bounds, const glm::dvec3& point) {
-  for (int axis = 0; axis < 3; ++axis) {
-    const float value = static_cast<float>(point[axis]);
-    bounds.lower[axis] = std::fmin(bounds.lower[axis], std::nextafter(value, -kInfinity));
-    bounds.upper[axis] = std::fmax(bounds.upper[axis], std::nextafter(value, kInfinity));
-  }
+  constexpr float kTiny = std::numeric_limits<float>::min();
+  const glm::vec3 rounded(point);
+  const glm::vec3 step = glm::abs(rounded) * 0x1p-23f + kTiny;
+  bounds.lower = glm::min(bounds.lower, rounded - step);
+  bounds.upper = glm::max(bounds.upper, rounded + step);
 }
 
 Bounds intersection(const Bounds& a, const Bounds& b) {
@@ -46,8 +46,8 @@ SplitBounds clip_triangle(const glm::vec3 (&corners)[3], const Bounds& within, i
       extend_rounded(split.right, crossing);
     }
   }
-  split.left.upper[axis] = std::fmin(split.left.upper[axis], position);
-  split.right.lower[axis] = std::fmax(split.right.lower[axis], position);
+  split.left.upper[axis] = std::min(split.left.upper[axis], position);
+  split.right.lower[axis] = std::max(split.right.lower[axis], position);
   return {intersection(split.left, within), intersection(split.right, within)};
 }
 
