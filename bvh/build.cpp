@@ -168,9 +168,7 @@ class Flattener {
   }
 
  private:
-  ChildRef add(const BuildNode& source) {
-    return source.is_leaf ? add_leaf(source) : ChildRef::node(add_node(source));
-  }
+  ChildRef add(const BuildNode& source) { return source.is_leaf ? add_leaf(source) : ChildRef::node(add_node(source)); }
 
   std::uint32_t add_node(const BuildNode& source) {
     const auto index = static_cast<std::uint32_t>(layout_.nodes.size());

@@ -18,16 +18,16 @@ namespace lkao::bvh {
 //
 // Everything is in double, from float coordinates: differences of coordinates are then exact unless one is 2^29 times
 // the other, and each of the dot products below is within kRounding of the product of the L1 norms of its factors. A
-// ray within that of a plane counts as beyond it, so triangles that share an edge leave no gap between them, not even at
-// their corners or where a zero-area triangle between them was dropped; the surplus is some 1e-15 wide.
+// ray within that of a plane counts as beyond it, so triangles that share an edge leave no gap between them, not even
+// at their corners or where a zero-area triangle between them was dropped; the surplus is some 1e-15 wide.
 //
-// Edge planes come from (a + b) x (b - a) = 2 (a x b), which keeps its precision for small triangles far away, and which
-// changes nothing but its sign when a and b change places.
+// Edge planes come from (a + b) x (b - a) = 2 (a x b), which keeps its precision for small triangles far away, and
+// which changes nothing but its sign when a and b change places.
 class TriangleTest {
  public:
   // Corners as in the mesh; rays start at `origin` and are no longer than `radius`.
-  TriangleTest(const glm::vec3& corner_a, const glm::vec3& corner_b, const glm::vec3& corner_c,
-               const glm::vec3& origin, float radius, Sidedness sidedness) {
+  TriangleTest(const glm::vec3& corner_a, const glm::vec3& corner_b, const glm::vec3& corner_c, const glm::vec3& origin,
+               float radius, Sidedness sidedness) {
     const glm::dvec3 a = glm::dvec3(corner_a) - glm::dvec3(origin);
     const glm::dvec3 b = glm::dvec3(corner_b) - glm::dvec3(origin);
     const glm::dvec3 c = glm::dvec3(corner_c) - glm::dvec3(origin);
@@ -38,7 +38,8 @@ class TriangleTest {
     // In front means on the side that the normal points to: there the origin sees a negative distance.
     const bool in_front = distance_ < 0;
     const bool in_plane = std::fabs(distance_) <= kRounding * size * norm(a);
-    const bool too_far = std::fabs(distance_) > 1.001 * static_cast<double>(radius) * std::sqrt(glm::dot(normal_, normal_));
+    const bool too_far =
+        std::fabs(distance_) > 1.001 * static_cast<double>(radius) * std::sqrt(glm::dot(normal_, normal_));
     can_block_ = !in_plane && !too_far && (in_front || sidedness == Sidedness::two_sided);
     if (!can_block_) return;
     // From here on planes face away from the origin: rays that pass the triangle are beyond all four.

@@ -9,9 +9,7 @@
 namespace lkao::bvh {
 
 // True where no coordinate is NaN or infinite.
-inline bool is_finite(const glm::vec3& p) {
-  return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
-}
+inline bool is_finite(const glm::vec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
 
 inline bool is_finite(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
   return is_finite(a) && is_finite(b) && is_finite(c);
@@ -24,8 +22,8 @@ inline glm::dvec3 area_vector(const glm::vec3& a, const glm::vec3& b, const glm:
   return glm::cross(glm::dvec3(b) - origin, glm::dvec3(c) - origin);
 }
 
-// True where the corners lie on one line (or two are equal), so that the triangle has no plane. Exact for coordinates of
-// similar magnitude, whose differences and products fit a double. The corners must be finite.
+// True where the corners lie on one line (or two are equal), so that the triangle has no plane. Exact for coordinates
+// of similar magnitude, whose differences and products fit a double. The corners must be finite.
 inline bool has_zero_area(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
   return area_vector(a, b, c) == glm::dvec3(0.0);
 }

@@ -67,7 +67,9 @@ class NearestPoint {
  private:
   int cell(double v) const { return std::clamp(static_cast<int>((v + 1.0) * 0.5 * side_), 0, side_ - 1); }
   std::vector<std::size_t>& bucket(int x, int y) { return buckets_[static_cast<std::size_t>(y * side_ + x)]; }
-  const std::vector<std::size_t>& bucket(int x, int y) const { return buckets_[static_cast<std::size_t>(y * side_ + x)]; }
+  const std::vector<std::size_t>& bucket(int x, int y) const {
+    return buckets_[static_cast<std::size_t>(y * side_ + x)];
+  }
 
   const std::vector<glm::dvec2>& points_;
   int side_;

@@ -54,8 +54,7 @@ Falloff Falloff::named(const std::string& name) {
   if (name == "linear") return linear();
   if (name == "smooth") return smooth();
   if (name == "exponential") return exponential();
-  throw std::invalid_argument(
-      fmt::format("unknown falloff {}; known are constant, linear, smooth, exponential", name));
+  throw std::invalid_argument(fmt::format("unknown falloff {}; known are constant, linear, smooth, exponential", name));
 }
 
 double Falloff::length_at(double u) const {

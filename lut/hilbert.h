@@ -14,7 +14,9 @@ inline std::uint32_t hilbert_index(const glm::vec2& point) {
   constexpr float kCells = 1 << kOrder;
   const auto cell = [](float v) {
     const float scaled = (v + 1.0f) * 0.5f * kCells;
-    return scaled <= 0 ? 0u : scaled >= kCells - 1 ? static_cast<std::uint32_t>(kCells) - 1 : static_cast<std::uint32_t>(scaled);
+    return scaled <= 0            ? 0u
+           : scaled >= kCells - 1 ? static_cast<std::uint32_t>(kCells) - 1
+                                  : static_cast<std::uint32_t>(scaled);
   };
   std::uint32_t x = cell(point.x), y = cell(point.y), index = 0;
   for (std::uint32_t half = 1u << (kOrder - 1); half > 0; half >>= 1) {

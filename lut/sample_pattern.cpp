@@ -67,9 +67,8 @@ SamplePattern SamplePattern::relaxed(int ray_count, const Falloff& falloff, std:
   require_valid_ray_count(ray_count < 0 ? 0 : static_cast<std::size_t>(ray_count));
   const std::vector<glm::dvec2> relaxed = lut::relaxed_points(ray_count, seed);
   std::vector<glm::vec2> points(relaxed.begin(), relaxed.end());
-  std::sort(points.begin(), points.end(), [](const glm::vec2& a, const glm::vec2& b) {
-    return lut::hilbert_index(a) < lut::hilbert_index(b);
-  });
+  std::sort(points.begin(), points.end(),
+            [](const glm::vec2& a, const glm::vec2& b) { return lut::hilbert_index(a) < lut::hilbert_index(b); });
   return from_disk(points, stratified_lengths(points.size(), falloff));
 }
 

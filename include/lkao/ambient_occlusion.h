@@ -81,10 +81,10 @@ struct ReceiverOcclusion {
 
 // Where a batch puts its answers: each span is empty (not wanted) or has an entry for every receiver.
 struct QueryOutputs {
-  std::span<float> occlusion;
-  std::span<glm::vec3> bent_normals;
+  std::span<float> occlusion = {};
+  std::span<glm::vec3> bent_normals = {};
   // SamplePattern::word_count() words for every receiver, receiver after receiver.
-  std::span<std::uint64_t> mask_words;
+  std::span<std::uint64_t> mask_words = {};
 };
 
 struct QueryReport {

@@ -38,8 +38,8 @@ struct BuildReport {
   std::size_t non_finite_count = 0;  // dropped: a corner with a NaN or infinite coordinate
   std::size_t reference_count = 0;   // leaf entries, occluder_count plus those made by spatial splits
   std::size_t node_count = 0;
-  std::size_t memory_bytes = 0;      // of the finished hierarchy
-  double seconds = 0;                // wall-clock time of the build
+  std::size_t memory_bytes = 0;  // of the finished hierarchy
+  double seconds = 0;            // wall-clock time of the build
 };
 
 namespace bvh {

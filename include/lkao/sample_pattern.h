@@ -75,8 +75,7 @@ class SamplePattern {
   // centroids pull the outermost points inwards and leave the horizon under-sampled.
   //
   // Cost: below a second for 1024 rays. Throws std::invalid_argument for a ray count off the grid.
-  static SamplePattern relaxed(int ray_count, const Falloff& falloff = Falloff::constant(),
-                               std::uint64_t seed = 0);
+  static SamplePattern relaxed(int ray_count, const Falloff& falloff = Falloff::constant(), std::uint64_t seed = 0);
 
   // The pattern `relaxed(ray_count)` of seed 0 and constant falloff, made at the first call for each count
   // and kept for the life of the process.

@@ -72,8 +72,7 @@ void make_rays(const Receiver& receiver, const SamplePattern& pattern, const Que
   const float largest = std::max(largest_component(receiver.position), largest_coordinate);
   rays.origin = receiver.position + up * (options.surface_offset * 0x1p-24f * largest);
 
-  const Basis basis =
-      jittered_basis(receiver, options.jitter, pattern.lowest_elevation(), options.seed, index);
+  const Basis basis = jittered_basis(receiver, options.jitter, pattern.lowest_elevation(), options.seed, index);
   const std::span<const glm::vec3> directions = pattern.directions();
   const std::span<const float> lengths = pattern.lengths();
   for (std::size_t i = 0; i < directions.size(); ++i) {

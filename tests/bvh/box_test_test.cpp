@@ -2,9 +2,9 @@
 
 #include <cmath>
 
+#include <gtest/gtest.h>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <gtest/gtest.h>
 
 #include "support/meshes.h"
 
@@ -46,8 +46,8 @@ TEST(BoxTest, NeverDropsAHit) {
       const auto where = random.next_below(4);
       target[axis] = where == 0   ? box.lower[axis]
                      : where == 1 ? box.upper[axis]
-                                  : glm::clamp(tests::uniform(random, box.lower[axis], box.upper[axis]), box.lower[axis],
-                                               box.upper[axis]);
+                                  : glm::clamp(tests::uniform(random, box.lower[axis], box.upper[axis]),
+                                               box.lower[axis], box.upper[axis]);
     }
     // The segment, in the float arithmetic of a ray, passes the target at 1 / stretch to rounding; that rounding is the
     // test's own, so the target is computed back from the ray.

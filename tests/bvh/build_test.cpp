@@ -4,8 +4,8 @@
 #include <stdexcept>
 #include <string>
 
-#include <glm/vector_relational.hpp>
 #include <gtest/gtest.h>
+#include <glm/vector_relational.hpp>
 
 #include "bvh/layout.h"
 #include "lkao/ambient_occlusion.h"
@@ -17,7 +17,8 @@ namespace {
 using tests::Mesh;
 
 bool within(const Bounds& inner, const Bounds& outer) {
-  return glm::all(glm::greaterThanEqual(inner.lower, outer.lower)) && glm::all(glm::lessThanEqual(inner.upper, outer.upper));
+  return glm::all(glm::greaterThanEqual(inner.lower, outer.lower)) &&
+         glm::all(glm::lessThanEqual(inner.upper, outer.upper));
 }
 
 // Walks the hierarchy and checks what must hold of any: boxes nest, no child is shared, leaves hold what they should.

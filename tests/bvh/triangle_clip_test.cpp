@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include <gtest/gtest.h>
 #include <glm/common.hpp>
 #include <glm/vector_relational.hpp>
-#include <gtest/gtest.h>
 
 #include "support/meshes.h"
 

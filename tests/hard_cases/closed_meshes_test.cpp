@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
+#include <glm/geometric.hpp>
 
 #include "lkao/lkao.h"
 #include "support/meshes.h"
@@ -15,8 +15,8 @@ namespace {
 
 constexpr int kReceiverCount = 10'000;
 
-// One way to put a mesh into the world: scale x (rotation x mesh + offset). An offset of 1e4 leaves a float some 1e-3 of
-// the mesh's size as its finest step.
+// One way to put a mesh into the world: scale x (rotation x mesh + offset). An offset of 1e4 leaves a float some 1e-3
+// of the mesh's size as its finest step.
 struct Placement {
   glm::quat rotation;
   glm::vec3 offset;
@@ -49,12 +49,14 @@ std::vector<Receiver> receivers_inside(const tests::Mesh& placed, const tests::M
       const glm::dvec3 a(placed.positions[t.x]), b(placed.positions[t.y]), c(placed.positions[t.z]);
       const glm::dvec3 normal = glm::normalize(glm::cross(b - a, c - a));
       const glm::dvec3 position = a + static_cast<double>(u) * (b - a) + static_cast<double>(v) * (c - a);
-      receivers.push_back({.position = position, .normal = glm::dot(normal, glm::dvec3(center) - position) > 0 ? normal : -normal});
+      receivers.push_back(
+          {.position = position, .normal = glm::dot(normal, glm::dvec3(center) - position) > 0 ? normal : -normal});
     } else {
       // Meshes are convex around 0: a share of the way to a wall is inside.
       const glm::vec3 &a = mesh.positions[t.x], &b = mesh.positions[t.y], &c = mesh.positions[t.z];
       const glm::vec3 wall = a + u * (b - a) + v * (c - a);
-      receivers.push_back({.position = placement(wall * tests::uniform(random, 0, 0.95f)), .normal = tests::random_direction(random)});
+      receivers.push_back(
+          {.position = placement(wall * tests::uniform(random, 0, 0.95f)), .normal = tests::random_direction(random)});
     }
   }
   return receivers;
@@ -65,7 +67,8 @@ void expect_no_leak(const tests::Mesh& mesh) {
   for (const Placement& placement : placements()) {
     tests::Mesh placed = mesh;
     for (glm::vec3& p : placed.positions) p = placement(p);
-    const AmbientOcclusion ao(OccluderBvh(placed.view()), SamplePattern::standard(1024), {.radius = 5 * placement.scale});
+    const AmbientOcclusion ao(OccluderBvh(placed.view()), SamplePattern::standard(1024),
+                              {.radius = 5 * placement.scale});
     ASSERT_EQ(ao.occluders().report().occluder_count, mesh.triangles.size());
     const QueryReport report = ao.query(receivers_inside(placed, mesh, placement, seed++), {});
     EXPECT_EQ(report.invalid_receiver_count, 0u);

@@ -7,8 +7,8 @@
 #include <stdexcept>
 #include <vector>
 
-#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
+#include <glm/geometric.hpp>
 
 namespace lkao {
 namespace {

@@ -15,11 +15,12 @@ using tests::Mesh;
 // Mean over many jittered receivers at one place: what is left is bias, not noise.
 double mean_occlusion(const Mesh& mesh, const Receiver& receiver, const QueryOptions& options, int ray_count = 128,
                       const Falloff& falloff = Falloff::constant()) {
-  const AmbientOcclusion ao(OccluderBvh(mesh.view()), SamplePattern::standard(ray_count).with_falloff(falloff), options);
+  const AmbientOcclusion ao(OccluderBvh(mesh.view()), SamplePattern::standard(ray_count).with_falloff(falloff),
+                            options);
   constexpr int kCount = 500;
   const std::vector<Receiver> receivers(kCount, receiver);
   std::vector<float> occlusion(kCount);
-  EXPECT_EQ(ao.query(receivers, {.occlusion = occlusion, .bent_normals = {}, .mask_words = {}}).invalid_receiver_count, 0u);
+  EXPECT_EQ(ao.query(receivers, {.occlusion = occlusion}).invalid_receiver_count, 0u);
   double sum = 0;
   for (float value : occlusion) sum += value;
   return sum / kCount;
@@ -49,7 +50,8 @@ TEST(Analytic, WallFoot) {
   tests::add_quad(wall, {0, 0, -100}, {0, 100, 0}, {0, 0, 200});
   for (float h : {1e-4f, 0.1f, 0.5f, 0.9f}) {
     const double expected = (std::acos(h) - h * std::sqrt(1 - h * h)) / std::numbers::pi;
-    EXPECT_NEAR(mean_occlusion(wall, {.position = {h * 3, 0, 0}, .normal = {0, 1, 0}}, {.radius = 3}), expected, 1e-3) << h;
+    EXPECT_NEAR(mean_occlusion(wall, {.position = {h * 3, 0, 0}, .normal = {0, 1, 0}}, {.radius = 3}), expected, 1e-3)
+        << h;
   }
 }
 
@@ -95,7 +97,8 @@ TEST(Analytic, CeilingUnderEachFalloff) {
     }
     // No turn about the normal changes this scene, so jitter does not average: half the error of random rays.
     const double tolerance = 0.5 * std::sqrt(expected * (1 - expected) / 1024);
-    EXPECT_NEAR(mean_occlusion(ceiling, kOrigin, {.radius = radius}, 1024, falloff), expected, tolerance) << falloff.name();
+    EXPECT_NEAR(mean_occlusion(ceiling, kOrigin, {.radius = radius}, 1024, falloff), expected, tolerance)
+        << falloff.name();
   }
 }
 

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <numbers>
 
-#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
+#include <glm/geometric.hpp>
 
 #include "support/meshes.h"
 
@@ -12,7 +12,8 @@ namespace lkao {
 namespace {
 
 AmbientOcclusion query_with(const Jitter& jitter, std::uint64_t seed = 0) {
-  return {OccluderBvh(tests::closed_box().view()), SamplePattern::standard(128).with_falloff(Falloff::linear()),
+  return {OccluderBvh(tests::closed_box().view()),
+          SamplePattern::standard(128).with_falloff(Falloff::linear()),
           {.radius = 3, .jitter = jitter, .seed = seed}};
 }
 
@@ -48,7 +49,8 @@ TEST(ReceiverRays, StayAboveTheGeometricHorizon) {
   int dropped_count = 0;
   for (std::uint64_t index = 0; index < 500; ++index) {
     const glm::vec3 geometric = tests::random_direction(random);
-    const Receiver receiver{.position = {}, .normal = geometric + tests::random_direction(random) * 0.9f,
+    const Receiver receiver{.position = {},
+                            .normal = geometric + tests::random_direction(random) * 0.9f,
                             .geometric_normal = geometric * 2.0f};
     const ReceiverRays rays = ao.rays(receiver, index);
     for (int i = 0; i < rays.ray_count; ++i) {

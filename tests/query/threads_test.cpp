@@ -19,12 +19,15 @@ struct Answers {
 
 Answers answer(const tests::Mesh& mesh, const std::vector<Receiver>& receivers, int thread_count) {
   // Real threads, however few cores there are.
-  const tbb::global_control workers(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(thread_count));
+  const tbb::global_control workers(tbb::global_control::max_allowed_parallelism,
+                                    static_cast<std::size_t>(thread_count));
   tbb::task_arena arena(thread_count);
   return arena.execute([&] {
     const AmbientOcclusion ao(OccluderBvh(mesh.view()), SamplePattern::standard(128), {.radius = 0.5f, .seed = 4});
-    Answers answers{std::vector<float>(receivers.size()), std::vector<glm::vec3>(receivers.size()),
-                    std::vector<std::uint64_t>(receivers.size() * 2), {}};
+    Answers answers{std::vector<float>(receivers.size()),
+                    std::vector<glm::vec3>(receivers.size()),
+                    std::vector<std::uint64_t>(receivers.size() * 2),
+                    {}};
     answers.report = ao.query(receivers, {answers.occlusion, answers.bent_normals, answers.mask_words}, 1000);
     return answers;
   });

@@ -81,7 +81,9 @@ inline Mesh closed_sphere(int slices, int stacks) {
     }
   }
   mesh.positions.emplace_back(0, -1, 0);
-  const auto vertex = [&](int stack, int slice) { return static_cast<unsigned>(1 + (stack - 1) * slices + slice % slices); };
+  const auto vertex = [&](int stack, int slice) {
+    return static_cast<unsigned>(1 + (stack - 1) * slices + slice % slices);
+  };
   const auto last = static_cast<unsigned>(mesh.positions.size() - 1);
   for (int j = 0; j < slices; ++j) {
     mesh.triangles.emplace_back(0, vertex(1, j), vertex(1, j + 1));
