@@ -29,29 +29,35 @@ class Traversal {
   // `mask`: rays that may meet the node.
   void visit(const Node& node, const OcclusionMask& mask) {
     OcclusionMask child_masks[kWidth];
-    for (int i = 0; i < kWidth && !node.children[i].is_empty(); ++i) {
-      child_masks[i] = node_mask(node.child_bounds(i), mask & open_);
-    }
-    // The child that may block most open rays next (Sec. 5). The order cannot change the result, only the work.
-    for (int child = next_child(child_masks); child >= 0; child = next_child(child_masks)) {
-      const OcclusionMask still_open = child_masks[child] & open_;
-      child_masks[child] = OcclusionMask();
-      if (node.children[child].is_leaf()) {
-        visit(layout_.leaves[node.children[child].index()], still_open);
+    int order[kWidth];
+    const int child_count = order_children(node, mask & open_, child_masks, order);
+    for (int i = 0; i < child_count; ++i) {
+      const ChildRef child = node.children[order[i]];
+      const OcclusionMask still_open = child_masks[order[i]] & open_;
+      if (!still_open.any()) continue;
+      if (child.is_leaf()) {
+        visit(layout_.leaves[child.index()], still_open);
       } else {
-        visit(layout_.nodes[node.children[child].index()], still_open);
+        visit(layout_.nodes[child.index()], still_open);
       }
     }
   }
 
-  // -1 where no child may block an open ray.
-  int next_child(const OcclusionMask (&child_masks)[kWidth]) const {
-    int next = -1, most = 0;
-    for (int i = 0; i < kWidth; ++i) {
-      const int ray_count = (child_masks[i] & open_).count();
-      if (ray_count > most) most = ray_count, next = i;
+  // Finds the rays of `mask` that may meet each child, and the children that have any, those with most first (Sec. 5:
+  // the child that may block most). The order cannot change the result, only the work.
+  int order_children(const Node& node, const OcclusionMask& mask, OcclusionMask (&child_masks)[kWidth],
+                     int (&order)[kWidth]) const {
+    int ray_counts[kWidth];
+    int child_count = 0;
+    for (int i = 0; i < kWidth && !node.children[i].is_empty(); ++i) {
+      child_masks[i] = node_mask(node.child_bounds(i), mask);
+      ray_counts[i] = child_masks[i].count();
+      if (ray_counts[i] == 0) continue;
+      int place = child_count++;
+      for (; place > 0 && ray_counts[order[place - 1]] < ray_counts[i]; --place) order[place] = order[place - 1];
+      order[place] = i;
     }
-    return next;
+    return child_count;
   }
 
   void visit(const Leaf& leaf, const OcclusionMask& mask) {
