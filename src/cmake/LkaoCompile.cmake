@@ -1,0 +1,45 @@
+# How every source file of the project is compiled.
+
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+
+if(PROJECT_IS_TOP_LEVEL)
+  set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+  set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/bin")
+  if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+    set(CMAKE_BUILD_TYPE Release CACHE STRING "Debug, Release or RelWithDebInfo" FORCE)
+  endif()
+  find_program(LKAO_CCACHE ccache)
+  if(LKAO_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+    set(CMAKE_CXX_COMPILER_LAUNCHER "${LKAO_CCACHE}")
+  endif()
+endif()
+
+# No fused multiply-adds: the edge test of a triangle must be the exact negation of its neighbour's, and masks must be
+# the same bits with every compiler.
+add_compile_options(-ffp-contract=off -Wall -Wextra -Wpedantic -Wshadow -Wconversion)
+# GCC 12 takes concatenated std::strings for overlapping memory (GCC bug 105329).
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
+  add_compile_options(-Wno-restrict)
+endif()
+if(LKAO_WERROR)
+  add_compile_options(-Werror)
+endif()
+if(LKAO_SANITIZE)
+  add_compile_options(-fsanitize=${LKAO_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  add_link_options(-fsanitize=${LKAO_SANITIZE})
+endif()
+if(LKAO_SANITIZE STREQUAL "thread")
+  if(NOT CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
+    message(FATAL_ERROR "The thread sanitizer needs Clang: GCC cannot leave out the templates of oneTBB, and reports "
+                        "races in them that are none (tests/tsan/ignorelist.txt)")
+  endif()
+  add_compile_options("-fsanitize-ignorelist=${PROJECT_SOURCE_DIR}/tests/tsan/ignorelist.txt")
+  # Clang 14's sanitizer stops where the kernel randomises addresses too widely.
+  execute_process(COMMAND setarch -R true RESULT_VARIABLE setarch_status OUTPUT_QUIET ERROR_QUIET)
+  if(setarch_status EQUAL 0)
+    set(CMAKE_CROSSCOMPILING_EMULATOR setarch -R)
+  endif()
+endif()

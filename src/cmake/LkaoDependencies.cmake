@@ -1,0 +1,65 @@
+# Finds what the chosen parts need, and says at once which Debian packages are missing.
+
+# So that a project which adds this one as a subfolder can link lkao::lkao.
+set(CMAKE_FIND_PACKAGE_TARGETS_GLOBAL ON)
+
+set(lkao_missing "")
+
+# find_package(NAME ...); DEBIAN is the package that provides it.
+macro(lkao_find NAME DEBIAN)
+  find_package(${NAME} ${ARGN} QUIET)
+  if(NOT ${NAME}_FOUND)
+    list(APPEND lkao_missing ${DEBIAN})
+  endif()
+endmacro()
+
+# Makes the target PkgConfig::NAME from pkg-config's MODULE.
+macro(lkao_find_pkg_config NAME MODULE DEBIAN)
+  if(PkgConfig_FOUND)
+    pkg_check_modules(${NAME} QUIET IMPORTED_TARGET GLOBAL ${MODULE})
+  endif()
+  if(NOT ${NAME}_FOUND)
+    list(APPEND lkao_missing ${DEBIAN})
+  endif()
+endmacro()
+
+lkao_find(Threads libc6-dev)
+lkao_find(glm libglm-dev CONFIG)
+lkao_find(TBB libtbb-dev CONFIG)
+lkao_find(embree libembree-dev 3 CONFIG)
+lkao_find(fmt libfmt-dev CONFIG)
+
+if(LKAO_BUILD_TOOLS OR LKAO_BUILD_GL)
+  lkao_find(PkgConfig pkg-config)
+endif()
+
+if(LKAO_BUILD_TOOLS)
+  lkao_find(assimp libassimp-dev CONFIG)
+  lkao_find(CLI11 libcli11-dev CONFIG)
+  lkao_find(nlohmann_json nlohmann-json3-dev CONFIG)
+  # Debian 12's CMake package of OpenImageIO names a folder of OpenCV that is not installed with it; pkg-config works.
+  lkao_find_pkg_config(OpenImageIO OpenImageIO libopenimageio-dev)
+  if(OpenImageIO_FOUND)
+    add_library(lkao_openimageio INTERFACE)
+    target_link_libraries(lkao_openimageio INTERFACE PkgConfig::OpenImageIO)
+  endif()
+endif()
+
+if(LKAO_BUILD_GL)
+  lkao_find_pkg_config(epoxy epoxy libepoxy-dev)
+  lkao_find_pkg_config(egl egl libegl-dev)
+endif()
+
+if(LKAO_BUILD_TESTS)
+  lkao_find(GTest "libgtest-dev;libgmock-dev" CONFIG)
+endif()
+if(LKAO_BUILD_BENCH)
+  lkao_find(benchmark libbenchmark-dev CONFIG)
+endif()
+
+if(lkao_missing)
+  list(REMOVE_DUPLICATES lkao_missing)
+  list(JOIN lkao_missing " " lkao_missing)
+  message(FATAL_ERROR "lkao needs libraries that were not found. On Debian or Ubuntu:\n"
+                      "  sudo apt-get install --no-install-recommends ${lkao_missing}")
+endif()

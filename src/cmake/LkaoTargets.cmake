@@ -1,0 +1,59 @@
+# The kinds of targets of this project.
+
+# Include roots: "lkao/file.h" is public; "lut/file.h", "bvh/file.h", "gpu/file.h" and "scene/file.h" ... are internal.
+set(lkao_include_roots "${PROJECT_SOURCE_DIR}/include" "${PROJECT_SOURCE_DIR}" "${PROJECT_SOURCE_DIR}/src")
+
+# lkao_core_library()
+#   The target lkao, still empty: lkao_core_part adds to it.
+function(lkao_core_library)
+  add_library(lkao)
+  add_library(lkao::lkao ALIAS lkao)
+  target_compile_features(lkao PUBLIC cxx_std_20)
+  target_include_directories(lkao PUBLIC "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>")
+  target_link_libraries(lkao PUBLIC glm::glm)
+  set_target_properties(lkao PROPERTIES LINKER_LANGUAGE CXX VERSION ${PROJECT_VERSION} SOVERSION 0)
+endfunction()
+
+# lkao_core_part(NAME SOURCES a.cpp ... LINKS x ...)
+#   One floor of the core library, an object library lkao_NAME whose objects go into lkao. LINKS: the lower parts
+#   (lkao_lut ...) it stands on, and external libraries, which lkao then links privately.
+function(lkao_core_part NAME)
+  cmake_parse_arguments(PARSE_ARGV 1 part "" "" "SOURCES;LINKS")
+  add_library(lkao_${NAME} OBJECT ${part_SOURCES})
+  target_include_directories(lkao_${NAME} PUBLIC ${lkao_include_roots})
+  target_link_libraries(lkao_${NAME} PUBLIC glm::glm ${part_LINKS})
+  target_sources(lkao PRIVATE $<TARGET_OBJECTS:lkao_${NAME}>)
+  list(FILTER part_LINKS EXCLUDE REGEX "^lkao_")
+  target_link_libraries(lkao PRIVATE ${part_LINKS})
+endfunction()
+
+# lkao_module(NAME SOURCES a.cpp ... LINKS x ...)
+#   A static library lkao_NAME beside the core, for the program and the tests; not installed. LINKS are public.
+function(lkao_module NAME)
+  cmake_parse_arguments(PARSE_ARGV 1 module "" "" "SOURCES;LINKS")
+  add_library(lkao_${NAME} STATIC ${module_SOURCES})
+  target_include_directories(lkao_${NAME} PUBLIC ${lkao_include_roots})
+  target_link_libraries(lkao_${NAME} PUBLIC ${module_LINKS})
+endfunction()
+
+# lkao_test(NAME SOURCES a.cpp ... LINKS x ... [LABELS slow|tsan ...])
+#   A GoogleTest program lkao_test_NAME, each of its tests known to CTest. Tests with the label "slow" are left out under
+#   AddressSanitizer; those with "tsan" are what ThreadSanitizer runs (target lkao_tsan_tests; see tests/tsan).
+function(lkao_test NAME)
+  cmake_parse_arguments(PARSE_ARGV 1 test "" "" "SOURCES;LINKS;LABELS")
+  add_executable(lkao_test_${NAME} ${test_SOURCES})
+  target_include_directories(lkao_test_${NAME} PRIVATE ${lkao_include_roots} "${PROJECT_SOURCE_DIR}/tests")
+  target_compile_definitions(lkao_test_${NAME} PRIVATE "LKAO_SHARED_DIR=\"${LKAO_SHARED_DIR}\"")
+  target_link_libraries(lkao_test_${NAME} PRIVATE ${test_LINKS} GTest::gmock GTest::gtest GTest::gtest_main)
+
+  set(properties TIMEOUT 900)
+  if(test_LABELS)
+    list(APPEND properties LABELS "${test_LABELS}")
+  endif()
+  if("tsan" IN_LIST test_LABELS)
+    list(APPEND properties ENVIRONMENT
+         "TSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/tests/tsan/suppressions.txt")
+    add_dependencies(lkao_tsan_tests lkao_test_${NAME})
+  endif()
+  gtest_discover_tests(lkao_test_${NAME} DISCOVERY_TIMEOUT 60 PROPERTIES ${properties})
+endfunction()
