@@ -22,22 +22,25 @@ struct Camera {
 // (0, 180), anything not finite.
 void validate(const Camera& camera);
 
-// A camera that looks at the whole box from a three-quarter view.
+// A camera that looks at the whole box from a three-quarter view. `aspect` is width / height.
+// Throws std::invalid_argument where the box is empty or not finite, or another argument is out of range.
 Camera frame(const Bounds& bounds, float aspect, const glm::vec3& up = {0, 1, 0}, float fov = 60);
 
 // What a camera sees, a pixel each, row by row from the top.
 struct ReceiverImage {
   int width = 0;
   int height = 0;
-  // Of the pixels that see a triangle, in pixel order: position, the triangle's normal turned towards the eye (as both
-  // normals), and the primitive seen as excluded primitive.
+  // Of the pixels that see a triangle, in pixel order: position, and the triangle's normal turned towards the eye. No
+  // primitive is excluded: the query's surface offset keeps receivers off their own triangle.
   std::vector<Receiver> receivers;
   std::vector<std::uint32_t> pixels;  // pixel number (row * width + column) of each receiver
   std::vector<float> depth;           // distance along the view axis, one a pixel; +infinity where nothing is seen
 };
 
 // Casts one ray through the centre of each pixel, in parallel. Positions are interpolated from the triangle's corners,
-// not from the ray, so they lie on the surface to rounding.
+// not from the ray, so they lie on the surface to rounding. Triangles without area or with a non-finite corner are not
+// seen. Throws std::invalid_argument for a camera that validate() refuses and sizes outside 1 to 32768,
+// std::runtime_error where Embree runs out of memory.
 ReceiverImage find_receivers(const Mesh& mesh, const Camera& camera, int width, int height);
 
 }  // namespace lkao::scene

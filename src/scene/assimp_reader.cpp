@@ -1,0 +1,136 @@
+// OBJ, STL, glTF and GLB through assimp. No post-processing step of assimp's is used: its triangulation, merging and
+// flattening of nodes may drop triangles. Polygons are fanned, nodes walked and vertices joined here.
+#include <algorithm>
+#include <bit>
+#include <stdexcept>
+#include <unordered_map>
+
+#include <assimp/scene.h>
+#include <fmt/format.h>
+#include <assimp/Importer.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/mat4x4.hpp>
+
+#include "scene/file_check.h"
+#include "scene/mesh_formats.h"
+
+namespace lkao::scene {
+
+namespace {
+
+// Joins vertices at the same position, as these formats or their importers give every corner its own.
+class VertexJoiner {
+ public:
+  explicit VertexJoiner(Mesh& mesh) : mesh_(mesh) {}
+
+  std::uint32_t index_of(const glm::vec3& position) {
+    const auto next = static_cast<std::uint32_t>(mesh_.positions.size());
+    // A NaN equals nothing, itself included: such a vertex always gets an index of its own. -0 equals +0.
+    const auto [entry, is_new] = indices_.try_emplace(position, next);
+    if (is_new) mesh_.positions.push_back(position);
+    return entry->second;
+  }
+
+ private:
+  struct Hash {
+    std::size_t operator()(const glm::vec3& p) const {
+      std::uint64_t hash = 0;
+      for (int axis = 0; axis < 3; ++axis) {
+        hash = (std::rotl(hash, 23) ^ std::bit_cast<std::uint32_t>(p[axis] + 0.0f)) * 0x9e3779b97f4a7c15u;
+      }
+      return static_cast<std::size_t>(hash ^ (hash >> 29));
+    }
+  };
+
+  Mesh& mesh_;
+  std::unordered_map<glm::vec3, std::uint32_t, Hash> indices_;
+};
+
+glm::dmat4 to_glm(const aiMatrix4x4& m) {
+  // assimp stores rows, glm columns.
+  return {{m.a1, m.b1, m.c1, m.d1}, {m.a2, m.b2, m.c2, m.d2}, {m.a3, m.b3, m.c3, m.d3}, {m.a4, m.b4, m.c4, m.d4}};
+}
+
+class SceneFlattener {
+ public:
+  explicit SceneFlattener(const aiScene& scene) : scene_(scene), joiner_(mesh_) {}
+
+  Mesh flatten() && {
+    if (scene_.mRootNode != nullptr) add_node(*scene_.mRootNode, glm::dmat4(1.0));
+    return std::move(mesh_);
+  }
+
+ private:
+  void add_node(const aiNode& node, const glm::dmat4& parent_to_world) {
+    const glm::dmat4 to_world = parent_to_world * to_glm(node.mTransformation);
+    for (unsigned i = 0; i < node.mNumMeshes; ++i) add_mesh(*scene_.mMeshes[node.mMeshes[i]], to_world);
+    for (unsigned i = 0; i < node.mNumChildren; ++i) add_node(*node.mChildren[i], to_world);
+  }
+
+  void add_mesh(const aiMesh& part, const glm::dmat4& to_world) {
+    // Untouched where there is nothing to do: 0 x infinity would turn an infinite coordinate into others' NaN.
+    const bool is_identity = to_world == glm::dmat4(1.0);
+    std::vector<std::uint32_t> indices(part.mNumVertices);
+    for (unsigned i = 0; i < part.mNumVertices; ++i) {
+      const aiVector3D& v = part.mVertices[i];
+      const glm::vec3 position(v.x, v.y, v.z);
+      indices[i] =
+          joiner_.index_of(is_identity ? position : glm::vec3(to_world * glm::dvec4(glm::dvec3(position), 1.0)));
+    }
+    // A mirroring transform turns fronts into backs; the other order of corners turns them back.
+    const bool is_mirrored = glm::determinant(glm::dmat3(to_world)) < 0;
+    for (unsigned i = 0; i < part.mNumFaces; ++i) add_face(part.mFaces[i], indices, is_mirrored);
+  }
+
+  void add_face(const aiFace& face, const std::vector<std::uint32_t>& indices, bool is_mirrored) {
+    polygon_.clear();
+    for (unsigned i = 0; i < face.mNumIndices; ++i) {
+      if (face.mIndices[i] >= indices.size()) {
+        throw std::runtime_error(fmt::format("a face names vertex {} of {}", face.mIndices[i], indices.size()));
+      }
+      polygon_.push_back(indices[face.mIndices[i]]);
+    }
+    if (is_mirrored) std::reverse(polygon_.begin() + (polygon_.empty() ? 0 : 1), polygon_.end());
+    add_polygon(mesh_, polygon_);
+  }
+
+  const aiScene& scene_;
+  Mesh mesh_;
+  VertexJoiner joiner_;
+  std::vector<std::uint32_t> polygon_;
+};
+
+std::string one_line(std::string text) {
+  for (char& c : text) {
+    if (c == '\n' || c == '\r') c = ' ';
+  }
+  while (text.ends_with(' ')) text.pop_back();
+  return text.empty() ? "assimp cannot read it" : text;
+}
+
+// Faces with three corners or more, over all meshes of the file, each counted once.
+std::size_t count_faces(const aiScene& scene) {
+  std::size_t count = 0;
+  for (unsigned m = 0; m < scene.mNumMeshes; ++m) {
+    const aiMesh& part = *scene.mMeshes[m];
+    count += static_cast<std::size_t>(
+        std::count_if(part.mFaces, part.mFaces + part.mNumFaces, [](const aiFace& f) { return f.mNumIndices >= 3; }));
+  }
+  return count;
+}
+
+}  // namespace
+
+Mesh read_through_assimp(const std::string& path, std::string_view bytes, const std::string& extension) {
+  const std::optional<std::size_t> promised_count = check_file(path, bytes, extension);
+  Assimp::Importer importer;
+  const aiScene* scene = importer.ReadFile(path, 0);
+  if (scene == nullptr) throw std::runtime_error(one_line(importer.GetErrorString()));
+  if (promised_count && count_faces(*scene) != *promised_count) {
+    throw std::runtime_error(
+        fmt::format("only {} of its {} triangles name vertices that exist", count_faces(*scene), *promised_count));
+  }
+  return SceneFlattener(*scene).flatten();
+}
+
+}  // namespace lkao::scene

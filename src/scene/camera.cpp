@@ -1,0 +1,241 @@
+#include "scene/camera.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <stdexcept>
+
+#include <embree3/rtcore.h>
+#include <fmt/format.h>
+#include <tbb/parallel_for.h>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+#include "bvh/zero_area.h"
+
+namespace lkao::scene {
+
+namespace {
+
+constexpr std::uint32_t kNothing = RTC_INVALID_GEOMETRY_ID;
+
+// The right-handed frame of a camera; a ray through the image is forward + x right + y up.
+struct View {
+  glm::dvec3 eye;
+  glm::dvec3 forward;  // unit
+  glm::dvec3 right;    // of the length of half the image's width at distance 1
+  glm::dvec3 up;       // of the same length
+};
+
+View view_of(const Camera& camera) {
+  const glm::dvec3 eye(camera.eye);
+  const glm::dvec3 forward = glm::normalize(glm::dvec3(camera.target) - eye);
+  const glm::dvec3 right = glm::normalize(glm::cross(forward, glm::normalize(glm::dvec3(camera.up))));
+  const double half_width = std::tan(0.5 * glm::radians(static_cast<double>(camera.fov)));
+  return {eye, forward, half_width * right, half_width * glm::cross(right, forward)};
+}
+
+glm::dvec3 pixel_direction(const View& view, int width, int height, int column, int row) {
+  const double x = (2 * column + 1 - width) / static_cast<double>(width);
+  const double y = (height - 2 * row - 1) / static_cast<double>(width);
+  return view.forward + x * view.right + y * view.up;
+}
+
+struct Release {
+  void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
+  void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
+};
+using Device = std::unique_ptr<RTCDeviceTy, Release>;
+using Scene = std::unique_ptr<RTCSceneTy, Release>;
+
+// The triangles that can be seen: with a plane, and of finite corners. The others keep their numbers.
+std::vector<glm::uvec3> visible_triangles(const Mesh& mesh) {
+  std::vector<glm::uvec3> triangles = mesh.triangles;
+  for (glm::uvec3& triangle : triangles) {
+    const glm::vec3& a = mesh.positions[triangle.x];
+    const glm::vec3& b = mesh.positions[triangle.y];
+    const glm::vec3& c = mesh.positions[triangle.z];
+    if (!bvh::is_finite(a, b, c) || bvh::has_zero_area(a, b, c)) triangle = glm::uvec3(triangle.x);
+  }
+  return triangles;
+}
+
+Scene make_scene(RTCDevice device, const Mesh& mesh, const std::vector<glm::uvec3>& triangles) {
+  Scene scene(rtcNewScene(device));
+  rtcSetSceneFlags(scene.get(), RTC_SCENE_FLAG_ROBUST);
+  RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+  // Copied, as Embree reads 4 bytes past the end of a shared buffer.
+  void* vertices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(glm::vec3),
+                                           std::max<std::size_t>(mesh.positions.size(), 1));
+  void* indices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, sizeof(glm::uvec3),
+                                          std::max<std::size_t>(triangles.size(), 1));
+  if (vertices == nullptr || indices == nullptr) {
+    rtcReleaseGeometry(geometry);
+    throw std::runtime_error("find_receivers: out of memory for the primary rays");
+  }
+  std::fill_n(static_cast<glm::uvec3*>(indices), std::max<std::size_t>(triangles.size(), 1), glm::uvec3(0));
+  std::copy(mesh.positions.begin(), mesh.positions.end(), static_cast<glm::vec3*>(vertices));
+  std::copy(triangles.begin(), triangles.end(), static_cast<glm::uvec3*>(indices));
+  rtcCommitGeometry(geometry);
+  rtcAttachGeometry(scene.get(), geometry);
+  rtcReleaseGeometry(geometry);
+  rtcJoinCommitScene(scene.get());
+  const RTCError error = rtcGetDeviceError(device);
+  if (error != RTC_ERROR_NONE) {
+    throw std::runtime_error(fmt::format("find_receivers: Embree error {}", static_cast<int>(error)));
+  }
+  return scene;
+}
+
+struct Hit {
+  std::uint32_t triangle = kNothing;
+  float u = 0;
+  float v = 0;
+};
+
+Hit cast(RTCScene scene, const glm::dvec3& origin, const glm::dvec3& direction) {
+  RTCRayHit query{};
+  query.ray.org_x = static_cast<float>(origin.x);
+  query.ray.org_y = static_cast<float>(origin.y);
+  query.ray.org_z = static_cast<float>(origin.z);
+  query.ray.dir_x = static_cast<float>(direction.x);
+  query.ray.dir_y = static_cast<float>(direction.y);
+  query.ray.dir_z = static_cast<float>(direction.z);
+  query.ray.tfar = std::numeric_limits<float>::infinity();
+  query.ray.mask = ~0u;
+  query.hit.geomID = kNothing;
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  rtcIntersect1(scene, &context, &query);
+  if (query.hit.geomID == kNothing) return {};
+  return {query.hit.primID, query.hit.u, query.hit.v};
+}
+
+Receiver receiver_at(const Mesh& mesh, const Hit& hit, const glm::dvec3& eye) {
+  const glm::uvec3& triangle = mesh.triangles[hit.triangle];
+  const glm::vec3& a = mesh.positions[triangle.x];
+  const glm::vec3& b = mesh.positions[triangle.y];
+  const glm::vec3& c = mesh.positions[triangle.z];
+  // Robust hits may lie a rounding error outside; the surface ends at its edges.
+  const double u = std::clamp(static_cast<double>(hit.u), 0.0, 1.0);
+  const double v = std::clamp(static_cast<double>(hit.v), 0.0, 1.0 - u);
+  const glm::dvec3 position = (1 - u - v) * glm::dvec3(a) + u * glm::dvec3(b) + v * glm::dvec3(c);
+  glm::dvec3 normal = glm::normalize(bvh::area_vector(a, b, c));
+  if (glm::dot(normal, eye - position) < 0) normal = -normal;
+  Receiver receiver;
+  receiver.position = glm::vec3(position);
+  receiver.normal = glm::vec3(normal);
+  return receiver;
+}
+
+void check_size(int width, int height) {
+  constexpr int kLargest = 1 << 15;
+  if (width < 1 || height < 1 || width > kLargest || height > kLargest) {
+    throw std::invalid_argument(
+        fmt::format("find_receivers: size {}x{} is outside 1x1 to {}x{}", width, height, kLargest, kLargest));
+  }
+}
+
+bool is_along(const glm::dvec3& a, const glm::dvec3& b) {
+  return glm::length(glm::cross(glm::normalize(a), glm::normalize(b))) < 1e-6;
+}
+
+// From in front, to the right and somewhat above. "In front" is +z, or -y where z is up.
+glm::dvec3 three_quarter_direction(const glm::dvec3& up) {
+  const glm::dvec3 up_axis = glm::normalize(up);
+  const glm::dvec3 seed = std::abs(up_axis.z) < 0.9 ? glm::dvec3(0, 0, 1) : glm::dvec3(0, -1, 0);
+  const glm::dvec3 front = glm::normalize(seed - glm::dot(seed, up_axis) * up_axis);
+  const glm::dvec3 side = glm::cross(up_axis, front);
+  return glm::normalize(front + 0.7 * side + 0.55 * up_axis);
+}
+
+// The nearest distance from the middle of the box at which all eight corners are inside the image.
+double distance_to_fit(const Bounds& bounds, const glm::dvec3& to_eye, const glm::dvec3& up, double aspect, float fov) {
+  const glm::dvec3 half = 0.5 * (glm::dvec3(bounds.upper) - glm::dvec3(bounds.lower));
+  const glm::dvec3 right = glm::normalize(glm::cross(-to_eye, glm::normalize(up)));
+  const glm::dvec3 top = glm::cross(right, -to_eye);
+  const double tan_x = std::tan(0.5 * glm::radians(static_cast<double>(fov)));
+  const double tan_y = tan_x / aspect;
+  double distance = 0;
+  for (int corner = 0; corner < 8; ++corner) {
+    const glm::dvec3 sign((corner & 1) != 0 ? 1 : -1, (corner & 2) != 0 ? 1 : -1, (corner & 4) != 0 ? 1 : -1);
+    const glm::dvec3 offset = sign * half;
+    const double nearness = glm::dot(offset, to_eye);
+    distance = std::max(distance, nearness + std::abs(glm::dot(offset, right)) / tan_x);
+    distance = std::max(distance, nearness + std::abs(glm::dot(offset, top)) / tan_y);
+  }
+  return distance > 0 ? distance : 1;  // 1 for a box that is a single point
+}
+
+}  // namespace
+
+void validate(const Camera& camera) {
+  const auto fail = [](const std::string& what) { throw std::invalid_argument("camera: " + what); };
+  const auto text = [](const glm::vec3& v) { return fmt::format("({}, {}, {})", v.x, v.y, v.z); };
+  if (!bvh::is_finite(camera.eye)) fail("eye is not finite: " + text(camera.eye));
+  if (!bvh::is_finite(camera.target)) fail("target is not finite: " + text(camera.target));
+  if (!bvh::is_finite(camera.up)) fail("up is not finite: " + text(camera.up));
+  if (!(camera.fov > 0 && camera.fov < 180)) fail(fmt::format("fov is {} degrees, not between 0 and 180", camera.fov));
+  if (camera.eye == camera.target) fail("eye and target are the same point " + text(camera.eye));
+  if (camera.up == glm::vec3(0.0f)) fail("up is zero");
+  if (is_along(glm::dvec3(camera.target) - glm::dvec3(camera.eye), glm::dvec3(camera.up))) {
+    fail("up " + text(camera.up) + " points along the view");
+  }
+}
+
+Camera frame(const Bounds& bounds, float aspect, const glm::vec3& up, float fov) {
+  if (!bvh::is_finite(bounds.lower) || !bvh::is_finite(bounds.upper)) {
+    throw std::invalid_argument("frame: there is nothing to look at, the bounds are empty or not finite");
+  }
+  if (!(aspect > 0) || !std::isfinite(aspect)) throw std::invalid_argument(fmt::format("frame: aspect is {}", aspect));
+  if (!bvh::is_finite(up) || up == glm::vec3(0.0f)) throw std::invalid_argument("frame: up is zero or not finite");
+  if (!(fov > 0 && fov < 180)) throw std::invalid_argument(fmt::format("frame: fov is {} degrees", fov));
+
+  const glm::dvec3 to_eye = three_quarter_direction(glm::dvec3(up));
+  const glm::dvec3 center = 0.5 * (glm::dvec3(bounds.lower) + glm::dvec3(bounds.upper));
+  constexpr double kMargin = 1.03;
+  const double distance = kMargin * distance_to_fit(bounds, to_eye, glm::dvec3(up), static_cast<double>(aspect), fov);
+  Camera camera;
+  camera.eye = glm::vec3(center + distance * to_eye);
+  camera.target = glm::vec3(center);
+  camera.up = up;
+  camera.fov = fov;
+  return camera;
+}
+
+ReceiverImage find_receivers(const Mesh& mesh, const Camera& camera, int width, int height) {
+  validate(camera);
+  check_size(width, height);
+  const View view = view_of(camera);
+  const Device device(rtcNewDevice(nullptr));
+  if (!device) throw std::runtime_error("find_receivers: Embree cannot make a device");
+  const Scene scene = make_scene(device.get(), mesh, visible_triangles(mesh));
+
+  const std::size_t pixel_count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  ReceiverImage image;
+  image.width = width;
+  image.height = height;
+  image.depth.assign(pixel_count, std::numeric_limits<float>::infinity());
+  std::vector<Receiver> all(pixel_count);
+  tbb::parallel_for(0, height, [&](int row) {
+    for (int column = 0; column < width; ++column) {
+      const Hit hit = cast(scene.get(), view.eye, pixel_direction(view, width, height, column, row));
+      if (hit.triangle == kNothing) continue;
+      const std::size_t pixel =
+          static_cast<std::size_t>(row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(column);
+      all[pixel] = receiver_at(mesh, hit, view.eye);
+      image.depth[pixel] = static_cast<float>(glm::dot(glm::dvec3(all[pixel].position) - view.eye, view.forward));
+    }
+  });
+
+  for (std::size_t pixel = 0; pixel < pixel_count; ++pixel) {
+    if (std::isinf(image.depth[pixel])) continue;
+    image.receivers.push_back(all[pixel]);
+    image.pixels.push_back(static_cast<std::uint32_t>(pixel));
+  }
+  return image;
+}
+
+}  // namespace lkao::scene

@@ -1,0 +1,75 @@
+#include "scene/mesh.h"
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "bvh/zero_area.h"
+
+namespace lkao::scene {
+
+namespace {
+
+// Angle between two edges; well conditioned for needles, unlike the arc cosine.
+double angle_between(const glm::dvec3& a, const glm::dvec3& b) {
+  return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
+}
+
+}  // namespace
+
+Bounds bounds_of(const Mesh& mesh) {
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  Bounds bounds{glm::vec3(kInfinity), glm::vec3(-kInfinity)};
+  for (const glm::uvec3& triangle : mesh.triangles) {
+    for (int corner = 0; corner < 3; ++corner) {
+      const glm::vec3& p = mesh.positions[triangle[corner]];
+      if (!bvh::is_finite(p)) continue;
+      bounds.lower = glm::min(bounds.lower, p);
+      bounds.upper = glm::max(bounds.upper, p);
+    }
+  }
+  return bounds;
+}
+
+void append(Mesh& mesh, const Mesh& part) {
+  const std::size_t first = mesh.positions.size();
+  if (first + part.positions.size() > std::numeric_limits<std::uint32_t>::max()) {
+    throw std::length_error("append: a mesh cannot have more than 2^32 - 1 vertices");
+  }
+  mesh.positions.insert(mesh.positions.end(), part.positions.begin(), part.positions.end());
+  mesh.triangles.reserve(mesh.triangles.size() + part.triangles.size());
+  for (const glm::uvec3& triangle : part.triangles) {
+    mesh.triangles.push_back(triangle + static_cast<std::uint32_t>(first));
+  }
+}
+
+std::vector<glm::vec3> vertex_normals(const Mesh& mesh) {
+  // One pass in triangle order: sums of doubles come out the same on every run.
+  std::vector<glm::dvec3> sums(mesh.positions.size(), glm::dvec3(0.0));
+  for (const glm::uvec3& triangle : mesh.triangles) {
+    glm::vec3 corners[3];
+    for (int i = 0; i < 3; ++i) corners[i] = mesh.positions[triangle[i]];
+    if (!bvh::is_finite(corners[0], corners[1], corners[2])) continue;
+    if (bvh::has_zero_area(corners[0], corners[1], corners[2])) continue;
+    const glm::dvec3 normal = glm::normalize(bvh::area_vector(corners[0], corners[1], corners[2]));
+    for (int i = 0; i < 3; ++i) {
+      const glm::dvec3 p(corners[i]);
+      const glm::dvec3 to_next = glm::dvec3(corners[(i + 1) % 3]) - p;
+      const glm::dvec3 to_previous = glm::dvec3(corners[(i + 2) % 3]) - p;
+      sums[triangle[i]] += normal * angle_between(to_next, to_previous);
+    }
+  }
+
+  std::vector<glm::vec3> normals(sums.size(), glm::vec3(0.0f));
+  for (std::size_t i = 0; i < sums.size(); ++i) {
+    // Opposite faces cancel to rounding; what is left points nowhere in particular.
+    const double length = glm::length(sums[i]);
+    if (length > 1e-12) normals[i] = glm::vec3(sums[i] / length);
+  }
+  return normals;
+}
+
+}  // namespace lkao::scene

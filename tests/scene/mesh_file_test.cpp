@@ -1,0 +1,320 @@
+// OBJ, STL, OFF, glTF and GLB in, and what is refused whatever the type.
+#include "scene/mesh_file.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include <glm/geometric.hpp>
+#include <nlohmann/json.hpp>
+
+#include "scene/defects.h"
+#include "scene/files.h"
+#include "scene/load.h"
+
+namespace lkao::scene {
+namespace {
+
+using nlohmann::json;
+
+const std::vector<glm::vec3> kSquare = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+
+// ---- any type ----
+
+TEST(MeshFile, MissingFilesFoldersAndUnknownTypesAreRefused) {
+  const TemporaryFolder folder;
+  expect_refused(folder.path("missing.ply"), "no such file");
+  expect_refused(folder.path(""), "is a directory");
+  expect_refused(folder.write("a.xyz", "1 2 3\n"), "not a supported mesh type");
+  expect_refused(folder.write("noextension", "1 2 3\n"), "not a supported mesh type");
+  EXPECT_THROW(load("builtin:nothing"), std::runtime_error);
+}
+
+TEST(MeshFile, EmptyFilesAndGarbageAreRefused) {
+  const TemporaryFolder folder;
+  std::string garbage;
+  for (int i = 0; i < 3000; ++i) garbage += static_cast<char>(i * 37 + 11);
+  for (const char* extension : {"ply", "obj", "stl", "off", "gltf", "glb"}) {
+    expect_refused(folder.write(std::string("empty.") + extension, ""), "empty");
+    expect_refused(folder.write(std::string("garbage.") + extension, garbage), "");
+  }
+}
+
+// ---- OBJ ----
+
+TEST(Obj, PolygonsAreFannedAndCornersJoined) {
+  const TemporaryFolder folder;
+  const Mesh mesh = read_mesh_file(folder.write("a.obj",
+                                                "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvn 0 0 1\n"
+                                                "f 1/1/1 2/1/1 3/1/1 4/1/1\nf -4 -3 -2\nf 1 1 2\nl 1 2\np 3\n"));
+  EXPECT_EQ(mesh.positions.size(), 4u);
+  ASSERT_EQ(mesh.triangles.size(), 4u);
+  EXPECT_EQ(corners(mesh, 0), (std::vector<glm::vec3>{kSquare[0], kSquare[1], kSquare[2]}));
+  EXPECT_EQ(corners(mesh, 1), (std::vector<glm::vec3>{kSquare[0], kSquare[2], kSquare[3]}));
+  EXPECT_EQ(corners(mesh, 2), corners(mesh, 0));
+  EXPECT_EQ(corners(mesh, 3), (std::vector<glm::vec3>{kSquare[0], kSquare[0], kSquare[1]}));
+}
+
+TEST(Obj, TrianglesOfAllGroupsAreKept) {
+  const TemporaryFolder folder;
+  std::string text;
+  for (int i = 0; i < 300; ++i) {
+    const std::string x = std::to_string(i);
+    text += "o part" + x + "\ng g" + x + "\nusemtl m" + std::to_string(i % 3) + "\nv " + x + " 0 0\nv " + x +
+            " 1 0\nv " + x + " 0 1\nf -3 -2 -1\n";
+  }
+  const Mesh mesh = read_mesh_file(folder.write("a.obj", text));
+  EXPECT_EQ(mesh.triangles.size(), 300u);
+  EXPECT_EQ(mesh.positions.size(), 900u);
+}
+
+TEST(Obj, ManyCornersMakeOnePolygon) {
+  const TemporaryFolder folder;
+  std::string text;
+  std::string face = "f";
+  for (int i = 1; i <= 2000; ++i) {
+    text += "v " + std::to_string(i) + " " + std::to_string(i * i) + " 0\n";
+    face += " " + std::to_string(i);
+  }
+  EXPECT_EQ(read_mesh_file(folder.write("a.obj", text + face + "\n")).triangles.size(), 1998u);
+}
+
+TEST(Obj, NanVerticesAreNeitherJoinedNorLost) {
+  const TemporaryFolder folder;
+  const Mesh mesh =
+      read_mesh_file(folder.write("a.obj", "v nan 0 0\nv 1 0 0\nv 1 1 0\nv nan 0 0\nf 1 2 3\nf 4 2 3\nf 3 2 3\n"));
+  EXPECT_EQ(mesh.triangles.size(), 3u);
+  EXPECT_EQ(mesh.positions.size(), 4u);
+  EXPECT_EQ(find_defects(mesh).non_finite_count, 2u);
+}
+
+TEST(Obj, BadIndicesAreRefused) {
+  const TemporaryFolder folder;
+  const std::string points = "v 0 0 0\nv 1 0 0\nv 1 1 0\n";
+  expect_refused(folder.write("a.obj", points + "f 1 2 9\n"), "out of range");
+  expect_refused(folder.write("a.obj", points + "f 1 2 -9\n"), "out of range");
+  expect_refused(folder.write("a.obj", points + "f 1 2 0\n"), "");
+  expect_refused(folder.write("a.obj", points), "no triangles");
+  expect_refused(folder.write("a.obj", points + "l 1 2\n"), "no triangles");
+}
+
+// ---- STL ----
+
+std::string binary_stl(const std::string& title, std::uint32_t triangle_count) {
+  std::string bytes = title + std::string(80 - title.size(), ' ') + raw(triangle_count);
+  for (std::uint32_t t = 0; t < triangle_count; ++t) {
+    bytes += raw(glm::vec3(0, 0, 1));
+    // The last triangle has no area.
+    for (std::uint32_t corner = 0; corner < 3; ++corner)
+      bytes += raw(t + 1 < triangle_count ? kSquare[corner] : kSquare[t]);
+    bytes += std::string(2, '\0');
+  }
+  return bytes;
+}
+
+const std::string kTextFacet =
+    "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 1 1 0\nendloop\nendfacet\n";
+
+TEST(Stl, BinaryTrianglesAreAllKeptAndCornersJoined) {
+  const TemporaryFolder folder;
+  for (const char* title : {"binary", "solid, but binary all the same"}) {
+    const Mesh mesh = read_mesh_file(folder.write("a.stl", binary_stl(title, 3)));
+    EXPECT_EQ(mesh.triangles.size(), 3u);
+    EXPECT_EQ(mesh.positions.size(), 3u);
+    EXPECT_EQ(find_defects(mesh).zero_area_count, 1u);
+  }
+}
+
+TEST(Stl, TextIsRead) {
+  const TemporaryFolder folder;
+  const Mesh mesh = read_mesh_file(folder.write("a.stl", "solid a\n" + kTextFacet + kTextFacet + "endsolid a\n"));
+  ASSERT_EQ(mesh.triangles.size(), 2u);
+  EXPECT_EQ(corners(mesh, 1), (std::vector<glm::vec3>{kSquare[0], kSquare[1], kSquare[2]}));
+}
+
+TEST(Stl, EveryTruncationIsRefused) {
+  const TemporaryFolder folder;
+  const std::string binary = binary_stl("binary", 3);
+  for (std::size_t size = 1; size < binary.size(); ++size) {
+    ASSERT_FALSE(refusal_of(folder.write("cut.stl", binary.substr(0, size))).empty()) << size;
+  }
+  const std::string text = "solid a\n" + kTextFacet + kTextFacet;
+  for (std::size_t size = 1; size <= text.size(); size += 3) {
+    ASSERT_FALSE(refusal_of(folder.write("cut.stl", text.substr(0, size))).empty()) << size;
+  }
+  expect_refused(folder.write("cut.stl", binary.substr(0, binary.size() - 50)), "truncated");
+  expect_refused(folder.write("cut.stl", "solid a\n" + kTextFacet + "endsolid a\nsolid b\n" + kTextFacet), "truncated");
+}
+
+// ---- OFF ----
+
+TEST(Off, IsReadWithCommentsColoursAndBigPolygons) {
+  const TemporaryFolder folder;
+  std::string text = "# a comment\nOFF\n\n14 2 0 # counts\n";
+  std::string face = "12";
+  for (int i = 0; i < 14; ++i) text += std::to_string(i) + " " + std::to_string(i * i) + " 0\n# between\n";
+  for (int i = 0; i < 12; ++i) face += " " + std::to_string(i);
+  const Mesh mesh = read_mesh_file(folder.write("a.off", text + face + " 255 0 0\n3 13 12 0"));
+  EXPECT_EQ(mesh.positions.size(), 14u);
+  ASSERT_EQ(mesh.triangles.size(), 11u);
+  EXPECT_EQ(mesh.triangles[9], glm::uvec3(0, 10, 11));
+  EXPECT_EQ(mesh.triangles[10], glm::uvec3(13, 12, 0));
+}
+
+TEST(Off, CountsMayFollowOnTheSameLine) {
+  const TemporaryFolder folder;
+  const Mesh mesh =
+      read_mesh_file(folder.write("a.off", "NOFF 3 1 0\n0 0 0 0 0 1\n1 0 0 0 0 1\n0 2 0 0 0 1\n3 0 1 2\n"));
+  EXPECT_EQ(mesh.positions[2], glm::vec3(0, 2, 0));
+}
+
+TEST(Off, FaultsAreNamed) {
+  const TemporaryFolder folder;
+  const std::string points = "0 0 0\n1 0 0\n1 1 0\n";
+  const auto refuse = [&](const std::string& bytes, const std::string& fault) {
+    expect_refused(folder.write("a.off", bytes), fault);
+  };
+  refuse("OFF\n3 2 0\n" + points + "3 0 1 2\n", "truncated: 1 of 2 faces");
+  refuse("OFF\n4 1 0\n" + points, "truncated: 3 of 4 vertices");
+  refuse("OFF\n3 1 0\n0 0 0\n1 0\n", "vertex 1 has 2 of 3 coordinates");
+  refuse("OFF\n3 1 0\n" + points + "3 0 1", "face 0 has 2 of 3 corners");
+  refuse("OFF\n3 1 0\n" + points + "3 0 1 3\n", "face 0 names vertex 3, but there are only 3 vertices");
+  refuse("OFF\n3 1 0\n" + points + "3 0 1 -1\n", "index is -1");
+  refuse("OFF\n3 0 0\n" + points, "no triangles");
+  refuse("OFF", "no counts");
+  refuse("OFF BINARY\n", "binary OFF");
+  refuse("hello\n", "the word OFF is missing");
+}
+
+// ---- glTF ----
+
+struct GltfParts {
+  json document;
+  std::string buffer;
+};
+
+// Nodes: "nodes" and "scenes" are the caller's. One mesh 0 of one primitive.
+GltfParts gltf_square(const std::vector<std::uint16_t>& indices, int mode = 4) {
+  GltfParts parts;
+  for (std::uint16_t index : indices) parts.buffer += raw(index);
+  parts.buffer.resize((parts.buffer.size() + 3) / 4 * 4);
+  const std::size_t positions_at = parts.buffer.size();
+  for (const glm::vec3& p : kSquare) parts.buffer += raw(p);
+  parts.document = {
+      {"asset", {{"version", "2.0"}}},
+      {"scene", 0},
+      {"scenes", {{{"nodes", {0}}}}},
+      {"nodes", {{{"mesh", 0}}}},
+      {"meshes", {{{"primitives", {{{"attributes", {{"POSITION", 1}}}, {"indices", 0}, {"mode", mode}}}}}}},
+      {"buffers", {{{"byteLength", parts.buffer.size()}}}},
+      {"bufferViews",
+       {{{"buffer", 0}, {"byteOffset", 0}, {"byteLength", 2 * indices.size()}},
+        {{"buffer", 0}, {"byteOffset", positions_at}, {"byteLength", 48}}}},
+      {"accessors",
+       {{{"bufferView", 0}, {"componentType", 5123}, {"count", indices.size()}, {"type", "SCALAR"}},
+        {{"bufferView", 1},
+         {"componentType", 5126},
+         {"count", 4},
+         {"type", "VEC3"},
+         {"min", {0, 0, 0}},
+         {"max", {1, 1, 0}}}}}};
+  return parts;
+}
+
+// A .gltf beside its .bin.
+std::string write_gltf(const TemporaryFolder& folder, GltfParts parts) {
+  folder.write("a.bin", parts.buffer);
+  parts.document["buffers"][0]["uri"] = "a.bin";
+  return folder.write("a.gltf", parts.document.dump());
+}
+
+std::string glb_bytes(const GltfParts& parts) {
+  std::string text = parts.document.dump();
+  text.resize((text.size() + 3) / 4 * 4, ' ');
+  const auto size = [](std::size_t n) { return raw(static_cast<std::uint32_t>(n)); };
+  return "glTF" + raw(std::uint32_t{2}) + size(28 + text.size() + parts.buffer.size()) + size(text.size()) + "JSON" +
+         text + size(parts.buffer.size()) + std::string("BIN\0", 4) + parts.buffer;
+}
+
+glm::vec3 front(const Mesh& mesh, std::size_t triangle) {
+  const std::vector<glm::vec3> p = corners(mesh, triangle);
+  return glm::cross(p[1] - p[0], p[2] - p[0]);
+}
+
+TEST(Gltf, TextAndBinaryGiveTheSame) {
+  const TemporaryFolder folder;
+  const GltfParts parts = gltf_square({0, 1, 2, 0, 2, 3, 1, 1, 2});
+  const std::string paths[] = {write_gltf(folder, parts), folder.write("a.glb", glb_bytes(parts))};
+  for (const std::string& path : paths) {
+    const Mesh mesh = read_mesh_file(path);
+    ASSERT_EQ(mesh.triangles.size(), 3u) << path;
+    EXPECT_EQ(corners(mesh, 1), (std::vector<glm::vec3>{kSquare[0], kSquare[2], kSquare[3]}));
+    EXPECT_EQ(mesh.positions.size(), 4u);
+  }
+}
+
+TEST(Gltf, StripsAndFansAreTriangles) {
+  const TemporaryFolder folder;
+  for (const GltfParts& parts : {gltf_square({0, 1, 3, 2}, 5), gltf_square({0, 1, 2, 3}, 6)}) {
+    const Mesh mesh = read_mesh_file(write_gltf(folder, parts));
+    ASSERT_EQ(mesh.triangles.size(), 2u);
+    for (std::size_t t = 0; t < 2; ++t) EXPECT_EQ(front(mesh, t), glm::vec3(0, 0, 1));
+  }
+}
+
+TEST(Gltf, NodeTransformsMultiplyDownTheTree) {
+  const TemporaryFolder folder;
+  GltfParts parts = gltf_square({0, 1, 2});
+  parts.document["nodes"] = {{{"translation", {0, 0, 5}}, {"scale", {2, 2, 2}}, {"children", {1, 2}}},
+                             {{"mesh", 0}, {"rotation", {0, 0, 1, 0}}},  // half a turn about z
+                             {{"mesh", 0}, {"translation", {10, 0, 0}}}};
+  const Mesh mesh = read_mesh_file(write_gltf(folder, parts));
+  ASSERT_EQ(mesh.triangles.size(), 2u);
+  const std::vector<glm::vec3> turned = corners(mesh, 0);
+  const std::vector<glm::vec3> moved = corners(mesh, 1);
+  EXPECT_LT(glm::distance(turned[2], glm::vec3(-2, -2, 5)), 1e-5f);
+  EXPECT_EQ(moved[2], glm::vec3(22, 2, 5));
+}
+
+TEST(Gltf, MirroringNodesKeepTheFront) {
+  // The square looks along +z; mirrored in x it still does.
+  const TemporaryFolder folder;
+  GltfParts parts = gltf_square({0, 1, 2, 0, 2, 3});
+  parts.document["nodes"] = {{{"mesh", 0}, {"scale", {-2, 1, 1}}}};
+  const Mesh mesh = read_mesh_file(write_gltf(folder, parts));
+  ASSERT_EQ(mesh.triangles.size(), 2u);
+  for (std::size_t t = 0; t < 2; ++t) EXPECT_EQ(front(mesh, t), glm::vec3(0, 0, 2));
+  EXPECT_EQ(bounds_of(mesh).lower.x, -2);
+}
+
+TEST(Gltf, BadIndicesAreRefused) {
+  const TemporaryFolder folder;
+  expect_refused(write_gltf(folder, gltf_square({0, 1, 2, 0, 2, 9})), "only 1 of its 2 triangles");
+  expect_refused(write_gltf(folder, gltf_square({0, 1, 2, 0})), "a list of triangles has 4 indices");
+  GltfParts parts = gltf_square({0, 1, 2});
+  parts.document["accessors"][0]["count"] = 999;
+  expect_refused(write_gltf(folder, parts), "out of range");
+}
+
+TEST(Gltf, TruncationsAreRefused) {
+  const TemporaryFolder folder;
+  const GltfParts parts = gltf_square({0, 1, 2, 0, 2, 3});
+  const std::string binary = glb_bytes(parts);
+  for (std::size_t size = 1; size < binary.size(); size += 7) {
+    ASSERT_FALSE(refusal_of(folder.write("cut.glb", binary.substr(0, size))).empty()) << size;
+  }
+  expect_refused(folder.write("cut.glb", binary.substr(0, binary.size() - 5)), "truncated");
+
+  const std::string text = parts.document.dump();
+  expect_refused(folder.write("cut.gltf", text.substr(0, text.size() / 2)), "truncated or malformed glTF");
+
+  GltfParts short_buffer = parts;
+  short_buffer.buffer.resize(short_buffer.buffer.size() - 9);
+  expect_refused(write_gltf(folder, short_buffer), "its buffer a.bin is truncated");
+  std::filesystem::remove(folder.path("a.bin"));
+  expect_refused(folder.path("a.gltf"), "a.bin");
+}
+
+}  // namespace
+}  // namespace lkao::scene
