@@ -17,16 +17,23 @@ struct Image {
   int channel(const std::string& name) const;
 };
 
-// Reads EXR, PNG and whatever else OpenImageIO knows; integers become [0, 1].
-// Throws std::runtime_error with one line naming the file and the fault.
+// Reads EXR, PNG and whatever else OpenImageIO knows; integers become [0, 1], nothing else is converted. The channels
+// of an EXR come in the order of that format, not in the one they were written in: find them by name.
+// Throws std::runtime_error with one line naming the file and the fault. Prints nothing.
 Image read_image(const std::string& path);
 
-// Writes by the file name's ending: .exr as 32-bit float, all channels; .png as 8 bits. Nothing is left behind when it
-// fails: the file appears complete or not at all.
-// Throws std::runtime_error with one line naming the file and the fault.
+// Writes by the file name's ending: .exr as 32-bit float, all channels, bit for bit; .png as 8 bits, 1 to 4 channels,
+// values as they are (sRGB-encoded already), clamped to [0, 1] and rounded, NaN as 0. Nothing is left behind when it
+// fails: the file appears complete or not at all (AtomicFile).
+// Throws std::runtime_error with one line naming the file and the fault. Prints nothing.
 void write_image(const std::string& path, const Image& image);
 
-// The picture to look at: visibility = 1 - occlusion, sRGB-encoded grey; NaN (no receiver) as the background.
+// Throws what write_image would throw for this file name and its folder, before there is an image to lose.
+void check_image_path(const std::string& path);
+
+// The picture to look at: visibility = 1 - occlusion as sRGB-encoded grey in the channels R, G, B; pixels without a
+// receiver (NaN) as a dark blue. Takes the channel "occlusion", or the only channel.
+// Throws std::invalid_argument where there is neither.
 Image visibility_preview(const Image& occlusion);
 
 }  // namespace lkao::image
