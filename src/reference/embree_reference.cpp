@@ -1,0 +1,142 @@
+#include "reference/embree_reference.h"
+
+#include <bit>
+#include <new>
+
+#include "query/answer.h"
+#include "query/batch.h"
+#include "reference/embree_scene.h"
+
+namespace lkao::reference {
+namespace {
+
+// Calls `visit(ray)` for every ray that Embree is to cast, in the order of the pattern.
+template <typename Visit>
+void for_each_ray(const ReceiverRays& rays, const Visit& visit) {
+  for (int word = 0; word < OcclusionMask::kMaxWordCount; ++word) {
+    for (std::uint64_t left = rays.cast.words[word]; left != 0; left &= left - 1) {
+      const int ray = word * 64 + std::countr_zero(left);
+      // A ray without length meets nothing, since segments are open at the receiver. Embree has no say in it.
+      if (rays.rays[ray] != glm::vec3(0)) visit(ray);
+    }
+  }
+}
+
+// Up to 16 rays from one origin.
+class Packet {
+ public:
+  explicit Packet(const glm::vec3& origin) {
+    for (int lane = 0; lane < kLaneCount; ++lane) {
+      rays_.org_x[lane] = origin.x;
+      rays_.org_y[lane] = origin.y;
+      rays_.org_z[lane] = origin.z;
+      rays_.tnear[lane] = 0;
+      rays_.time[lane] = 0;
+      rays_.mask[lane] = ~0u;
+      rays_.id[lane] = 0;
+      rays_.flags[lane] = 0;
+    }
+  }
+
+  bool full() const { return size_ == kLaneCount; }
+
+  void add(int ray, const glm::vec3& segment) {
+    numbers_[size_] = ray;
+    valid_[size_] = -1;
+    rays_.dir_x[size_] = segment.x;
+    rays_.dir_y[size_] = segment.y;
+    rays_.dir_z[size_] = segment.z;
+    rays_.tfar[size_] = 1;
+    ++size_;
+  }
+
+  // Marks the blocked ones of the rays added, and empties the packet.
+  void cast(RTCScene scene, RTCIntersectContext& context, OcclusionMask& blocked) {
+    for (int lane = size_; lane < kLaneCount; ++lane) valid_[lane] = 0;
+    rtcOccluded16(valid_, scene, &context, &rays_);
+    for (int lane = 0; lane < size_; ++lane) {
+      if (rays_.tfar[lane] < 0) blocked.set(numbers_[lane]);
+    }
+    size_ = 0;
+  }
+
+ private:
+  static constexpr int kLaneCount = 16;
+  RTCRay16 rays_;
+  alignas(64) int valid_[kLaneCount];
+  int numbers_[kLaneCount];
+  int size_ = 0;
+};
+
+OcclusionMask cast_packets(const ReceiverRays& rays, RTCScene scene, RTCIntersectContext& context) {
+  OcclusionMask blocked;
+  Packet packet(rays.origin);
+  for_each_ray(rays, [&](int ray) {
+    packet.add(ray, rays.rays[ray]);
+    if (packet.full()) packet.cast(scene, context, blocked);
+  });
+  packet.cast(scene, context, blocked);
+  return blocked;
+}
+
+OcclusionMask cast_single_rays(const ReceiverRays& rays, RTCScene scene, RTCIntersectContext& context) {
+  OcclusionMask blocked;
+  const glm::vec3& origin = rays.origin;
+  for_each_ray(rays, [&](int number) {
+    const glm::vec3& segment = rays.rays[number];
+    RTCRay ray{origin.x, origin.y, origin.z, 0, segment.x, segment.y, segment.z, 0, 1, ~0u, 0, 0};
+    rtcOccluded1(scene, &context, &ray);
+    if (ray.tfar < 0) blocked.set(number);
+  });
+  return blocked;
+}
+
+OcclusionMask cast(const ReceiverRays& rays, RTCScene scene, RTCIntersectContext& context, Casting casting) {
+  context.flags = RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
+  return casting == Casting::packets ? cast_packets(rays, scene, context) : cast_single_rays(rays, scene, context);
+}
+
+OcclusionMask find_blocked(const EmbreeScene& scene, const ReceiverRays& rays, std::uint32_t excluded_primitive,
+                           Sidedness sidedness, Casting casting) {
+  if (excluded_primitive != kNoPrimitive || sidedness == Sidedness::one_sided) {
+    FilteredContext context(scene, rays.origin, excluded_primitive, sidedness);
+    return cast(rays, scene.filtered(), context.embree, casting);
+  }
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  return cast(rays, scene.plain(), context, casting);
+}
+
+// Leaves the rays that it casts in `rays`.
+ReceiverOcclusion answer(const EmbreeScene& scene, Casting casting, const AmbientOcclusion& ao,
+                         const Receiver& receiver, std::uint64_t index, ReceiverRays& rays) {
+  new (&rays) ReceiverRays(ao.rays(receiver, index));  // in place: an assignment would copy 24 KB
+  OcclusionMask blocked;
+  if (rays.cast.any()) {
+    blocked = find_blocked(scene, rays, receiver.excluded_primitive, ao.options().sidedness, casting);
+  }
+  return query::make_answer(receiver, rays, blocked);
+}
+
+}  // namespace
+
+EmbreeReference::EmbreeReference(const scene::Mesh& mesh, const ReferenceOptions& options)
+    : scene_(std::make_unique<EmbreeScene>(mesh.view(), options.robust)), casting_(options.casting) {}
+
+EmbreeReference::~EmbreeReference() = default;
+
+ReceiverOcclusion EmbreeReference::query(const AmbientOcclusion& ao, const Receiver& receiver,
+                                         std::uint64_t index) const {
+  ReceiverRays rays;
+  return answer(*scene_, casting_, ao, receiver, index, rays);
+}
+
+QueryReport EmbreeReference::query(const AmbientOcclusion& ao, std::span<const Receiver> receivers,
+                                   const QueryOutputs& outputs, std::uint64_t first_index) const {
+  return query::run_batch(receivers, outputs, ao.pattern().word_count(), first_index,
+                          [&](const Receiver& receiver, std::uint64_t index, ReceiverRays& rays) {
+                            return answer(*scene_, casting_, ao, receiver, index, rays);
+                          });
+}
+
+}  // namespace lkao::reference

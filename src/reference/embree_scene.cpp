@@ -1,0 +1,142 @@
+#include "reference/embree_scene.h"
+
+#include <cstring>
+
+#include <stdexcept>
+
+#include <fmt/format.h>
+#include <tbb/task_arena.h>
+
+#include <glm/geometric.hpp>
+
+#include "bvh/zero_area.h"
+
+namespace lkao::reference {
+namespace {
+
+const char* text_of(RTCError error) {
+  switch (error) {
+    case RTC_ERROR_OUT_OF_MEMORY:
+      return "out of memory";
+    case RTC_ERROR_UNSUPPORTED_CPU:
+      return "this CPU is not supported";
+    case RTC_ERROR_INVALID_ARGUMENT:
+      return "invalid argument";
+    case RTC_ERROR_INVALID_OPERATION:
+      return "invalid operation";
+    default:
+      return "unknown error";
+  }
+}
+
+[[noreturn]] void fail(const char* step, RTCError error) {
+  throw std::runtime_error(fmt::format("Embree, {}: {}", step, text_of(error)));
+}
+
+void check_indices(const TriangleMesh& mesh) {
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    for (int corner = 0; corner < 3; ++corner) {
+      const std::uint32_t index = mesh.triangles[i][corner];
+      if (index < mesh.positions.size()) continue;
+      throw std::invalid_argument(
+          fmt::format("triangle {}: index {} is outside the {} positions", i, index, mesh.positions.size()));
+    }
+  }
+}
+
+bool can_block(const TriangleMesh& mesh, const glm::uvec3& triangle) {
+  const glm::vec3& a = mesh.positions[triangle.x];
+  const glm::vec3& b = mesh.positions[triangle.y];
+  const glm::vec3& c = mesh.positions[triangle.z];
+  return bvh::is_finite(a, b, c) && !bvh::has_zero_area(a, b, c);
+}
+
+// Copies `values` into a new buffer of Embree's, which pads it as its vector loads need. Null where out of memory.
+template <typename Value>
+const Value* fill_buffer(RTCGeometry geometry, RTCBufferType type, RTCFormat format, std::span<const Value> values) {
+  void* buffer = rtcSetNewGeometryBuffer(geometry, type, 0, format, sizeof(Value), values.size());
+  if (buffer != nullptr && !values.empty()) std::memcpy(buffer, values.data(), values.size_bytes());
+  return static_cast<const Value*>(buffer);
+}
+
+// Takes back the hits that do not count, before Embree ends the rays at them.
+void filter_hits(const RTCFilterFunctionNArguments* arguments) {
+  const auto& context = *reinterpret_cast<const FilteredContext*>(arguments->context);
+  for (unsigned lane = 0; lane < arguments->N; ++lane) {
+    if (arguments->valid[lane] == 0) continue;
+    const unsigned primitive = RTCHitN_primID(arguments->hit, arguments->N, lane);
+    const bool excluded = context.scene->primitive(primitive) == context.excluded_primitive;
+    const bool from_behind =
+        context.sidedness == Sidedness::one_sided && !context.scene->faces(primitive, context.origin);
+    if (excluded || from_behind) arguments->valid[lane] = 0;
+  }
+}
+
+}  // namespace
+
+static_assert(std::is_standard_layout_v<FilteredContext>, "the filter casts back from the first member");
+
+EmbreeScene::EmbreeScene(const TriangleMesh& mesh, bool robust)
+    : device_(rtcNewDevice(nullptr)), flags_(robust ? RTC_SCENE_FLAG_ROBUST : RTC_SCENE_FLAG_NONE) {
+  if (!device_) fail("new device", rtcGetDeviceError(nullptr));
+  check_indices(mesh);
+  geometry_.reset(rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_TRIANGLE));
+  check("new geometry");
+  add_triangles(mesh);
+  plain_ = build(flags_);
+}
+
+void EmbreeScene::add_triangles(const TriangleMesh& mesh) {
+  std::vector<glm::uvec3> usable;
+  for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
+    if (!can_block(mesh, mesh.triangles[i])) continue;
+    usable.push_back(mesh.triangles[i]);
+    primitives_.push_back(i);
+  }
+  positions_ = fill_buffer(geometry_.get(), RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3, mesh.positions);
+  triangles_ = fill_buffer<glm::uvec3>(geometry_.get(), RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT3, usable);
+  check("buffers");
+  rtcSetGeometryBuildQuality(geometry_.get(), RTC_BUILD_QUALITY_HIGH);
+  rtcCommitGeometry(geometry_.get());
+  check("geometry");
+}
+
+Scene EmbreeScene::build(unsigned flags) const {
+  Scene scene(rtcNewScene(device_.get()));
+  check("new scene");
+  rtcSetSceneFlags(scene.get(), static_cast<RTCSceneFlags>(flags));
+  rtcSetSceneBuildQuality(scene.get(), RTC_BUILD_QUALITY_HIGH);
+  rtcAttachGeometry(scene.get(), geometry_.get());
+  rtcCommitScene(scene.get());
+  check("scene build");
+  return scene;
+}
+
+RTCScene EmbreeScene::filtered() const {
+  std::call_once(filtered_once_, [this] {
+    // Isolated: while it waits for the build, this thread must not take up another receiver and come back here.
+    tbb::this_task_arena::isolate([this] { filtered_ = build(flags_ | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION); });
+  });
+  return filtered_.get();
+}
+
+bool EmbreeScene::faces(unsigned embree_primitive, const glm::vec3& point) const {
+  const glm::uvec3& triangle = triangles_[embree_primitive];
+  const glm::vec3& a = positions_[triangle.x];
+  const glm::dvec3 normal = bvh::area_vector(a, positions_[triangle.y], positions_[triangle.z]);
+  return glm::dot(normal, glm::dvec3(point) - glm::dvec3(a)) > 0;
+}
+
+void EmbreeScene::check(const char* step) const {
+  const RTCError error = rtcGetDeviceError(device_.get());
+  if (error != RTC_ERROR_NONE) fail(step, error);
+}
+
+FilteredContext::FilteredContext(const EmbreeScene& embree_scene, const glm::vec3& ray_origin, std::uint32_t excluded,
+                                 Sidedness occluder_sidedness)
+    : scene(&embree_scene), origin(ray_origin), excluded_primitive(excluded), sidedness(occluder_sidedness) {
+  rtcInitIntersectContext(&embree);
+  embree.filter = filter_hits;
+}
+
+}  // namespace lkao::reference

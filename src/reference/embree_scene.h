@@ -1,0 +1,74 @@
+// A triangle mesh inside Embree, and the filter that adds what Embree does not know: sides and excluded primitives.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <type_traits>
+#include <vector>
+
+#include <embree3/rtcore.h>
+
+#include <glm/vec3.hpp>
+
+#include "lkao/ambient_occlusion.h"
+
+namespace lkao::reference {
+
+// Embree's objects count their references.
+template <typename Handle, void (*release)(Handle)>
+struct Release {
+  void operator()(Handle handle) const { release(handle); }
+};
+template <typename Handle, void (*release)(Handle)>
+using Owned = std::unique_ptr<std::remove_pointer_t<Handle>, Release<Handle, release>>;
+
+using Device = Owned<RTCDevice, rtcReleaseDevice>;
+using Geometry = Owned<RTCGeometry, rtcReleaseGeometry>;
+using Scene = Owned<RTCScene, rtcReleaseScene>;
+
+class EmbreeScene {
+ public:
+  // Errors as EmbreeReference says.
+  EmbreeScene(const TriangleMesh& mesh, bool robust);
+
+  // For the rays of any receiver that excludes no primitive, two-sided: Embree at its full speed.
+  RTCScene plain() const { return plain_.get(); }
+  // For FilteredContext. Built at the first call, from any thread.
+  RTCScene filtered() const;
+
+  // Number in the mesh of Embree's triangle.
+  std::uint32_t primitive(unsigned embree_primitive) const { return primitives_[embree_primitive]; }
+  // True where the front of Embree's triangle faces the point, decided in double precision.
+  bool faces(unsigned embree_primitive, const glm::vec3& point) const;
+
+ private:
+  void add_triangles(const TriangleMesh& mesh);
+  Scene build(unsigned flags) const;
+  void check(const char* step) const;
+
+  Device device_;
+  Geometry geometry_;
+  std::vector<std::uint32_t> primitives_;
+  // Of Embree's triangles, in Embree's own buffers.
+  const glm::vec3* positions_ = nullptr;
+  const glm::uvec3* triangles_ = nullptr;
+  unsigned flags_;
+  Scene plain_;
+  mutable std::once_flag filtered_once_;
+  mutable Scene filtered_;
+};
+
+// The intersection context of the rays of one receiver with an excluded primitive or one-sided occluders.
+struct FilteredContext {
+  FilteredContext(const EmbreeScene& embree_scene, const glm::vec3& ray_origin, std::uint32_t excluded,
+                  Sidedness occluder_sidedness);
+
+  RTCIntersectContext embree;  // first: Embree hands its address to the filter
+  const EmbreeScene* scene;
+  glm::vec3 origin;
+  std::uint32_t excluded_primitive;
+  Sidedness sidedness;
+};
+
+}  // namespace lkao::reference
