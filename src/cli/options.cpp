@@ -1,0 +1,50 @@
+#include "cli/options.h"
+
+#include "cli/parse.h"
+
+namespace lkao::cli {
+namespace {
+
+constexpr int kMaxThreadCount = 1024;
+
+}  // namespace
+
+void add_common_options(CLI::App& app, CommonOptions& options) {
+  const auto parse_thread_count = [](const std::string& text) { return parse_integer(text, 1, kMaxThreadCount); };
+  add_parsed(app, "--threads", options.thread_count, parse_thread_count, "Threads to use (default: all)")
+      ->type_name("N");
+  app.add_option("--json", options.json_path, "Write the results as JSON; - for stdout, instead of the table")
+      ->type_name("FILE");
+  app.add_flag("--quiet", options.quiet, "No table and no progress bar");
+}
+
+void add_occlusion_options(CLI::App& app, OcclusionOptions& options) {
+  add_parsed(app, "--radius", options.radius, parse_positive_number,
+             "AO radius: length of the longest ray, in the scene's unit (required)")
+      ->type_name("R");
+  add_parsed(app, "--samples", options.ray_count, parse_ray_count,
+             "Rays a receiver: a multiple of 64 from 64 to 1024 (default: 128)")
+      ->type_name("N");
+  add_parsed(app, "--falloff", options.falloff, Falloff::named,
+             "How occluders fade with distance: constant, linear, smooth or exponential (default: constant)")
+      ->type_name("NAME");
+  add_parsed(app, "--sided", options.sidedness, parse_sidedness,
+             "Sides from which triangles block: one (their front) or two (default: two)")
+      ->type_name("one|two");
+  add_parsed(app, "--seed", options.seed, parse_seed, "Seed of the per-receiver jitter (default: 0)")->type_name("S");
+}
+
+SamplePattern make_pattern(const OcclusionOptions& options) {
+  const SamplePattern& pattern = SamplePattern::standard(options.ray_count);
+  return options.falloff.name() == "constant" ? pattern : pattern.with_falloff(options.falloff);
+}
+
+QueryOptions make_query_options(const OcclusionOptions& options) {
+  QueryOptions query;
+  query.radius = static_cast<float>(options.radius.value());
+  query.sidedness = options.sidedness;
+  query.seed = options.seed;
+  return query;
+}
+
+}  // namespace lkao::cli

@@ -1,0 +1,66 @@
+// Options that several subcommands share.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include <oneapi/tbb/global_control.h>
+#include <oneapi/tbb/task_arena.h>
+#include <CLI/CLI.hpp>
+
+#include "lkao/ambient_occlusion.h"
+
+namespace lkao::cli {
+
+// Adds an option whose text `parse` turns into `value`. What `parse` throws becomes an error that names the option.
+template <class Value, class Parse>
+CLI::Option* add_parsed(CLI::App& app, const std::string& name, Value& value, Parse parse,
+                        const std::string& description) {
+  const auto store = [&value, parse, name](const std::string& text) {
+    try {
+      value = parse(text);
+    } catch (const std::invalid_argument& error) {
+      throw std::invalid_argument(name + ": " + error.what());
+    }
+  };
+  return app.add_option_function<std::string>(name, store, description);
+}
+
+// How to run and what to tell; on every subcommand.
+struct CommonOptions {
+  std::optional<int> thread_count;  // all of the machine's where not given
+  std::string json_path;            // "-" for stdout, empty for none
+  bool quiet = false;               // neither table nor progress bar
+
+  bool wants_table() const { return !quiet && json_path != "-"; }
+};
+void add_common_options(CLI::App& app, CommonOptions& options);
+
+// What to ask of every receiver; on `render` and `bake`.
+struct OcclusionOptions {
+  std::optional<double> radius;
+  int ray_count = 128;
+  Falloff falloff = Falloff::constant();
+  Sidedness sidedness = Sidedness::two_sided;
+  std::uint64_t seed = 0;
+};
+void add_occlusion_options(CLI::App& app, OcclusionOptions& options);
+
+SamplePattern make_pattern(const OcclusionOptions& options);
+// Needs the radius.
+QueryOptions make_query_options(const OcclusionOptions& options);
+
+// Calls `function` so that everything parallel in it uses the given number of threads.
+template <class Function>
+auto with_threads(std::optional<int> thread_count, Function function) {
+  if (!thread_count) return function();
+  const auto count = static_cast<std::size_t>(*thread_count);
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, count);
+  tbb::task_arena arena(*thread_count);
+  return arena.execute(std::move(function));
+}
+
+}  // namespace lkao::cli

@@ -1,0 +1,60 @@
+// Values from the text of options. Every function throws std::invalid_argument saying what it expected and what it
+// got; the caller adds the option's name.
+#pragma once
+
+#include <cstdint>
+#include <initializer_list>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+#include <glm/vec3.hpp>
+
+#include "lkao/ambient_occlusion.h"
+#include "scene/camera.h"
+
+namespace lkao::cli {
+
+// Pixels of an image. 1 to kMaxSide a side, kMaxPixelCount in all: more receivers than that would not fit in memory.
+struct Size {
+  static constexpr int kMaxSide = 32768;
+  static constexpr std::int64_t kMaxPixelCount = std::int64_t{1} << 28;
+
+  int width = 1024;
+  int height = 768;
+};
+
+// A number that is finite, also as a float.
+double parse_number(const std::string& text);
+// As parse_number, and above 0, also as a float.
+double parse_positive_number(const std::string& text);
+// As parse_number, and >= 0.
+double parse_non_negative_number(const std::string& text);
+// A horizontal field of view in degrees, inside (0, 180).
+float parse_field_of_view(const std::string& text);
+
+int parse_integer(const std::string& text, int least, int most);
+std::uint64_t parse_seed(const std::string& text);
+// A ray count on the grid of sample patterns.
+int parse_ray_count(const std::string& text);
+// "x,y,z".
+glm::vec3 parse_vector(const std::string& text);
+// "WxH".
+Size parse_size(const std::string& text);
+// "one" or "two".
+Sidedness parse_sidedness(const std::string& text);
+
+// One of a few words.
+template <class Value>
+Value parse_choice(const std::string& text, std::initializer_list<std::pair<std::string_view, Value>> choices) {
+  std::string known;
+  for (const auto& [word, value] : choices) {
+    if (text == word) return value;
+    known += (known.empty() ? "" : " or ") + std::string(word);
+  }
+  throw std::invalid_argument(fmt::format("expected {}, got '{}'", known, text));
+}
+
+}  // namespace lkao::cli

@@ -1,0 +1,60 @@
+// The program as a whole: help, and what an interruption leaves behind.
+#include "cli/program.h"
+
+#include <chrono>
+#include <csignal>
+#include <thread>
+
+namespace lkao::test {
+namespace {
+
+class Program : public ProgramTest {
+ protected:
+  // Starts a rendering that takes minutes, and sends it a signal once it has claimed its outputs.
+  int interrupt(int signal, std::chrono::milliseconds delay) const {
+    RunningProgram program({"render", "builtin:wall", "--size", "4096x4096", "--samples", "1024", "--radius", "10",
+                            "-o", path("out.exr"), "--preview", path("out.png"), "--json", path("out.json"),
+                            "--quiet"});
+    const auto give_up = std::chrono::steady_clock::now() + std::chrono::seconds(30);
+    while (files().size() < 3 && std::chrono::steady_clock::now() < give_up) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    EXPECT_EQ(files().size(), 3u) << "no output was claimed";
+    std::this_thread::sleep_for(delay);
+    program.send(signal);
+    return program.wait();
+  }
+};
+
+TEST_F(Program, HelpNamesTheSubcommands) {
+  const std::string help = expect_success({"--help"}).out;
+  for (const char* name : {"render", "bake", "compare", "info"}) EXPECT_NE(help.find(name), std::string::npos) << name;
+  EXPECT_EQ(expect_success({}).out, help);
+}
+
+TEST_F(Program, EverySubcommandHasHelp) {
+  for (const char* name : {"render", "bake", "compare", "info"}) {
+    const std::string help = expect_success({name, "--help"}).out;
+    for (const char* option : {"--threads", "--json"}) EXPECT_NE(help.find(option), std::string::npos) << name;
+  }
+}
+
+TEST_F(Program, VersionIsPrinted) { EXPECT_EQ(expect_success({"--version"}).out, "lkao " LKAO_VERSION "\n"); }
+
+TEST_F(Program, AFullDiskUnderStdoutIsAnError) {
+  const ProgramResult result = run_program({"info", "--json", "/dev/full"});
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_NE(result.err.find("/dev/full"), std::string::npos) << result.err;
+}
+
+TEST_F(Program, InterruptionLeavesNoFileBehind) {
+  EXPECT_EQ(interrupt(SIGINT, std::chrono::milliseconds(0)), 130);
+  EXPECT_EQ(files(), std::vector<std::string>{});
+  EXPECT_EQ(interrupt(SIGINT, std::chrono::milliseconds(500)), 130);
+  EXPECT_EQ(files(), std::vector<std::string>{});
+  EXPECT_EQ(interrupt(SIGTERM, std::chrono::milliseconds(100)), 143);
+  EXPECT_EQ(files(), std::vector<std::string>{});
+}
+
+}  // namespace
+}  // namespace lkao::test

@@ -1,0 +1,199 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <string_view>
+
+#include "cli/program.h"
+#include "cli/small_mesh.h"
+#include "image/image.h"
+
+namespace lkao::test {
+namespace {
+
+class Render : public ProgramTest {
+ protected:
+  Arguments wall(const Arguments& more) const {
+    Arguments arguments = {"render", "builtin:wall", "--size", "32x24", "--samples", "64", "--radius", "0.5"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return arguments;
+  }
+};
+
+// The bytes of an EXR but for the moment of writing, which OpenEXR keeps in its header.
+std::string without_date(std::string bytes) {
+  const std::string_view name("capDate\0string\0", 15);
+  const std::size_t start = bytes.find(name);
+  return start == std::string::npos ? bytes : bytes.erase(start, name.size() + 4 + 19);  // size, "YYYY:MM:DD hh:mm:ss"
+}
+
+TEST_F(Render, WritesAnImageAndATable) {
+  const ProgramResult result = expect_success(wall({"-o", path("out.exr")}));
+  EXPECT_EQ(files(), std::vector<std::string>{"out.exr"});
+  const image::Image image = image::read_image(path("out.exr"));
+  EXPECT_EQ(image.width, 32);
+  EXPECT_EQ(image.height, 24);
+  EXPECT_EQ(image.channels, std::vector<std::string>{"occlusion"});
+  const auto [least, most] = std::minmax_element(image.pixels.begin(), image.pixels.end());
+  EXPECT_EQ(*least, 0);    // far from the wall
+  EXPECT_GT(*most, 0.2f);  // near its foot
+  EXPECT_LE(*most, 1);
+  for (const char* word : {"builtin:wall", "Mrays/s", "mean occlusion", "out.exr"}) {
+    EXPECT_NE(result.out.find(word), std::string::npos) << word << "\n" << result.out;
+  }
+}
+
+TEST_F(Render, JsonHasThePromisedKeys) {
+  expect_success(wall({"-o", path("out.exr"), "--json", path("out.json"), "--reference"}));
+  const nlohmann::json json = read_json("out.json");
+  for (const char* key : {"method", "scene", "radius", "samples", "width", "height", "receivers", "rays", "seconds",
+                          "mrays_per_second", "occlusion_mean", "load_seconds", "build_seconds", "reference"}) {
+    EXPECT_TRUE(json.contains(key)) << key;
+  }
+  EXPECT_EQ(json["method"], "bvh");
+  EXPECT_EQ(json["scene"], "builtin:wall");
+  EXPECT_EQ(json["radius"], 0.5);
+  EXPECT_EQ(json["samples"], 64);
+  EXPECT_EQ(json["width"], 32);
+  EXPECT_EQ(json["height"], 24);
+  EXPECT_GT(json["receivers"], 0);
+  EXPECT_LE(json["receivers"], 32 * 24);
+  EXPECT_EQ(json["rays"], json["receivers"].get<int>() * 64);
+  EXPECT_GT(json["seconds"], 0);
+  EXPECT_NEAR(json["mrays_per_second"], json["rays"].get<double>() / json["seconds"].get<double>() / 1e6, 1e-6);
+  for (const char* key : {"mismatched_rays", "ray_mismatch_rate", "mae", "rmse", "max_error", "seconds"}) {
+    EXPECT_TRUE(json["reference"].contains(key)) << key;
+  }
+}
+
+TEST_F(Render, MeanOcclusionIsThatOfTheImage) {
+  expect_success(wall({"-o", path("out.exr"), "--depth", "--json", path("out.json")}));
+  const image::Image image = image::read_image(path("out.exr"));
+  const auto stride = static_cast<std::size_t>(image.channel_count());
+  const auto occlusion = static_cast<std::size_t>(image.channel("occlusion"));
+  const auto depth = static_cast<std::size_t>(image.channel("depth.Z"));
+  double sum = 0;
+  int count = 0;
+  for (std::size_t i = 0; i < image.pixels.size(); i += stride) {
+    if (std::isinf(image.pixels[i + depth])) {
+      EXPECT_EQ(image.pixels[i + occlusion], 0);  // background
+      continue;
+    }
+    sum += image.pixels[i + occlusion];
+    ++count;
+  }
+  const nlohmann::json json = read_json("out.json");
+  EXPECT_EQ(json["receivers"], count);
+  EXPECT_NEAR(json["occlusion_mean"], sum / count, 1e-9);
+}
+
+TEST_F(Render, AgreesWithEmbreeRayByRay) {
+  for (const char* sided : {"one", "two"}) {
+    for (const char* falloff : {"constant", "exponential"}) {
+      expect_success(wall(
+          {"-o", path("out.exr"), "--sided", sided, "--falloff", falloff, "--reference", "--json", path("out.json")}));
+      const nlohmann::json reference = read_json("out.json")["reference"];
+      EXPECT_LE(reference["ray_mismatch_rate"], 1e-5);
+      EXPECT_LE(reference["mae"], 1e-5);
+    }
+  }
+}
+
+TEST_F(Render, EitherMethodMayBeTheReference) {
+  expect_success(wall({"-o", path("bvh.exr"), "--method", "bvh"}));
+  expect_success(wall({"-o", path("embree.exr"), "--method", "embree", "--reference", "--json", path("out.json")}));
+  EXPECT_EQ(read_json("out.json")["method"], "embree");
+  EXPECT_EQ(read_json("out.json")["reference"]["method"], "bvh");
+  EXPECT_EQ(image::read_image(path("bvh.exr")).pixels, image::read_image(path("embree.exr")).pixels);
+}
+
+TEST_F(Render, OptionsChangeThePicture) {
+  expect_success(wall({"-o", path("plain.exr")}));
+  const std::string plain = read_file("plain.exr");
+  for (const Arguments& more : {Arguments{"--seed", "1"},
+                                {"--falloff", "linear"},
+                                {"--samples=64", "--fov", "40"},
+                                {"--eye", "-.5,2,3"},
+                                {"--target", "0,0.25,0"},
+                                {"--up", "0.3,1,0"}}) {
+    Arguments arguments = {"render", "builtin:wall", "--size", "32x24", "--radius", "0.5", "-o", path("other.exr")};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    if (more.front() != "--samples=64") arguments.insert(arguments.end(), {"--samples", "64"});
+    expect_success(arguments);
+    EXPECT_TRUE(without_date(read_file("other.exr")) != without_date(plain)) << more.front();
+  }
+}
+
+TEST_F(Render, ThreadsDoNotChangeABit) {
+  const Arguments layers = {"--bent-normals", "--depth", "--normals", "--preview"};
+  Arguments one = wall({"-o", path("one.exr"), "--threads", "1"});
+  Arguments two = wall({"-o", path("two.exr"), "--threads", "2"});
+  one.insert(one.end(), layers.begin(), layers.end());
+  two.insert(two.end(), layers.begin(), layers.end());
+  one.push_back(path("one.png"));
+  two.push_back(path("two.png"));
+  expect_success(one);
+  expect_success(two);
+  EXPECT_TRUE(without_date(read_file("one.exr")) == without_date(read_file("two.exr")));
+  EXPECT_TRUE(read_file("one.png") == read_file("two.png"));
+}
+
+TEST_F(Render, LayersHoldUnitVectorsAndDepth) {
+  expect_success(wall({"-o", path("out.exr"), "--bent-normals", "--depth", "--normals"}));
+  const image::Image image = image::read_image(path("out.exr"));
+  EXPECT_EQ(std::set<std::string>(image.channels.begin(), image.channels.end()),
+            (std::set<std::string>{"occlusion", "bent.X", "bent.Y", "bent.Z", "depth.Z", "normal.X", "normal.Y",
+                                   "normal.Z"}));
+  const auto stride = static_cast<std::size_t>(image.channel_count());
+  const auto value = [&](std::size_t pixel, const std::string& channel) {
+    return image.pixels[pixel * stride + static_cast<std::size_t>(image.channel(channel))];
+  };
+  for (std::size_t pixel = 0; pixel < image.pixels.size() / stride; ++pixel) {
+    const double expected_length = std::isinf(value(pixel, "depth.Z")) ? 0 : 1;
+    for (const std::string layer : {"bent", "normal"}) {
+      const double length =
+          std::hypot(value(pixel, layer + ".X"), value(pixel, layer + ".Y"), value(pixel, layer + ".Z"));
+      EXPECT_NEAR(length, expected_length, 1e-5) << layer << " of pixel " << pixel;
+    }
+  }
+}
+
+TEST_F(Render, PngAndPreviewAreTheSamePicture) {
+  expect_success(wall({"-o", path("out.png")}));
+  expect_success(wall({"-o", path("out.exr"), "--preview", path("preview.png")}));
+  EXPECT_EQ(files(), (std::vector<std::string>{"out.exr", "out.png", "preview.png"}));
+  EXPECT_EQ(image::read_image(path("out.png")).pixels, image::read_image(path("preview.png")).pixels);
+}
+
+TEST_F(Render, JsonOnStdoutStandsAlone) {
+  const ProgramResult result = expect_success(wall({"-o", path("out.exr"), "--json", "-"}));
+  EXPECT_EQ(nlohmann::json::parse(result.out)["samples"], 64);
+}
+
+TEST_F(Render, QuietSaysNothing) { EXPECT_EQ(expect_success(wall({"-o", path("out.exr"), "--quiet"})).out, ""); }
+
+TEST_F(Render, DroppedTrianglesAreReported) {
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  const std::string scene =
+      write_file("scene.ply", ply_bytes({{-1, 0, -1}, {1, 0, -1}, {1, 0, 1}, {2, 0, 3}, {nan, 0, 0}},
+                                        {{0, 2, 1}, {0, 0, 1}, {1, 1, 1}, {0, 1, 4}}));
+  const ProgramResult result = run_program({"render", scene, "-o", path("out.exr"), "--size", "8x6", "--radius", "1",
+                                            "--quiet", "--json", path("out.json")});
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_NE(result.err.find("dropped 2 zero-area triangles"), std::string::npos) << result.err;
+  EXPECT_NE(result.err.find("dropped 1 non-finite triangle\n"), std::string::npos) << result.err;
+  EXPECT_EQ(read_json("out.json")["triangles"], 1);
+  EXPECT_EQ(read_json("out.json")["dropped"], (nlohmann::json{{"zero_area", 2}, {"non_finite", 1}}));
+}
+
+TEST_F(Render, ACameraThatSeesNothingIsTold) {
+  const ProgramResult result =
+      run_program(wall({"-o", path("out.exr"), "--eye", "0,1e4,0", "--target", "1,2e4,0", "--json", path("out.json")}));
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_NE(result.err.find("sees no triangle"), std::string::npos) << result.err;
+  EXPECT_EQ(read_json("out.json")["receivers"], 0);
+  EXPECT_TRUE(read_json("out.json")["occlusion_mean"].is_null());
+}
+
+}  // namespace
+}  // namespace lkao::test
