@@ -1,0 +1,115 @@
+// What must be free of data races: made to be run by the thread sanitizer, and correct without it.
+//
+// oneTBB comes as a library that is not instrumented, so the sanitizer sees what its threads hand to each other only
+// where a thread starts and where it is joined. Each test therefore begins without workers and joins them before it
+// reads what they wrote.
+#include <gtest/gtest.h>
+#include <oneapi/tbb/global_control.h>
+#include <oneapi/tbb/task_arena.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+#include <random>
+#include <thread>
+#include <vector>
+
+#include "lkao/lkao.h"
+
+namespace lkao {
+namespace {
+
+constexpr int kThreadCount = 4;
+constexpr int kReceiverCount = 1000;
+
+// Calls `work` with kThreadCount threads of oneTBB and joins the workers.
+template <typename Work>
+bool run_and_join_workers(const Work& work) {
+  oneapi::tbb::task_scheduler_handle scheduler{oneapi::tbb::attach{}};
+  {
+    const oneapi::tbb::global_control limit(oneapi::tbb::global_control::max_allowed_parallelism, kThreadCount);
+    oneapi::tbb::task_arena arena(kThreadCount);
+    arena.execute(work);
+  }
+  return oneapi::tbb::finalize(scheduler, std::nothrow);
+}
+
+class DataRace : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    std::mt19937 random(1);
+    const auto coordinate = [&random] { return static_cast<float>(random()) / 2147483648.0f - 1.0f; };
+    const auto point = [&coordinate] { return glm::vec3(coordinate(), coordinate(), coordinate()); };
+    std::vector<glm::vec3> positions;
+    std::vector<glm::uvec3> triangles;
+    for (std::uint32_t i = 0; i < 6000; i += 3) {
+      const glm::vec3 centre = point();
+      for (int corner = 0; corner < 3; ++corner) positions.push_back(centre + 0.1f * point());
+      triangles.emplace_back(i, i + 1, i + 2);
+    }
+    for (int i = 0; i < kReceiverCount; ++i) receivers_.push_back({.position = point(), .normal = point()});
+    ASSERT_TRUE(run_and_join_workers([&] {
+      ao_.emplace(OccluderBvh({positions, triangles}), SamplePattern::standard(64), QueryOptions{.radius = 0.5f});
+    }));
+    for (std::size_t i = 0; i < receivers_.size(); ++i) expected_.push_back(ao_->query(receivers_[i], i));
+  }
+
+  std::optional<AmbientOcclusion> ao_;
+  std::vector<Receiver> receivers_;
+  std::vector<ReceiverOcclusion> expected_;  // by one thread, one after the other
+};
+
+// Several times, since on a busy machine the workers may come too late for one batch.
+TEST_F(DataRace, BatchAnswersAsOneThreadDoes) {
+  std::uint64_t blocked_ray_count = 0;
+  for (const ReceiverOcclusion& answer : expected_) {
+    blocked_ray_count += static_cast<std::uint64_t>(answer.mask.count());
+  }
+  ASSERT_GT(blocked_ray_count, 0u);
+
+  for (int repetition = 0; repetition < 4; ++repetition) {
+    std::vector<float> occlusion(receivers_.size());
+    std::vector<glm::vec3> bent_normals(receivers_.size());
+    std::vector<std::uint64_t> mask_words(receivers_.size());
+    QueryReport report;
+    ASSERT_TRUE(run_and_join_workers([&] {
+      report = ao_->query(receivers_, QueryOutputs{occlusion, bent_normals, mask_words});
+    }));
+
+    for (std::size_t i = 0; i < receivers_.size(); ++i) {
+      ASSERT_EQ(mask_words[i], expected_[i].mask.words[0]) << "receiver " << i;
+      ASSERT_EQ(occlusion[i], expected_[i].occlusion) << "receiver " << i;
+      ASSERT_EQ(bent_normals[i], expected_[i].bent_normal) << "receiver " << i;
+    }
+    EXPECT_EQ(report.blocked_ray_count, blocked_ray_count);
+    EXPECT_EQ(report.receiver_count, receivers_.size());
+  }
+}
+
+TEST_F(DataRace, OneObjectAnswersManyThreadsAtOnce) {
+  std::vector<std::size_t> mismatch_counts(kThreadCount);
+  std::vector<std::thread> threads;
+  for (std::size_t t = 0; t < kThreadCount; ++t) {
+    threads.emplace_back([this, &count = mismatch_counts[t]] {
+      const AmbientOcclusion ao = *ao_;  // copies share their storage
+      for (std::size_t i = 0; i < receivers_.size(); ++i) {
+        if (!(ao.query(receivers_[i], i).mask == expected_[i].mask)) ++count;
+      }
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  EXPECT_EQ(mismatch_counts, std::vector<std::size_t>(kThreadCount, 0));
+}
+
+TEST(DataRacePattern, StandardIsMadeOnceForAllThreads) {
+  std::vector<const glm::vec3*> directions(kThreadCount);
+  std::vector<std::thread> threads;
+  for (std::size_t t = 0; t < kThreadCount; ++t) {
+    threads.emplace_back([&place = directions[t]] { place = SamplePattern::standard(192).directions().data(); });
+  }
+  for (std::thread& thread : threads) thread.join();
+  EXPECT_EQ(std::count(directions.begin(), directions.end(), directions.front()), kThreadCount);
+}
+
+}  // namespace
+}  // namespace lkao
