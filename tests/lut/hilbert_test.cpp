@@ -16,7 +16,7 @@ TEST(Hilbert, StepsFromCellToNeighbouringCell) {
   std::vector<std::pair<int, int>> cells(kSide * kSide, {-1, -1});
   for (int y = 0; y < kSide; ++y) {
     for (int x = 0; x < kSide; ++x) {
-      const glm::vec2 center((x + 0.5f) * 2 / kSide - 1, (y + 0.5f) * 2 / kSide - 1);
+      const glm::vec2 center = (glm::vec2(x, y) + 0.5f) * (2.0f / kSide) - 1.0f;
       const std::uint32_t index = hilbert_index(center) >> 24;  // 2 x 4 bits of 2 x 16
       EXPECT_EQ(cells[index].first, -1) << "two cells at " << index;
       cells[index] = {x, y};

@@ -6,7 +6,9 @@
 #include <string>
 #include <vector>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+
 #include <glm/geometric.hpp>
 
 #include "support/brute_force.h"
@@ -92,7 +94,12 @@ TEST(Query, NormalsMayHaveAnyLength) {
 class QueryOfSoup : public testing::TestWithParam<std::tuple<int, float, Sidedness>> {};
 INSTANTIATE_TEST_SUITE_P(Soups, QueryOfSoup,
                          testing::Combine(testing::Values(1, 10, 300, 3000), testing::Values(0.02f, 0.2f, 2.0f),
-                                          testing::Values(Sidedness::two_sided, Sidedness::one_sided)));
+                                          testing::Values(Sidedness::two_sided, Sidedness::one_sided)),
+                         [](const auto& info) {
+                           return fmt::format(
+                               "Triangles{}Size{:.0f}Percent{}", std::get<0>(info.param), 100 * std::get<1>(info.param),
+                               std::get<2>(info.param) == Sidedness::two_sided ? "TwoSided" : "OneSided");
+                         });
 
 TEST_P(QueryOfSoup, EqualsBruteForce) {
   const auto [triangle_count, size, sidedness] = GetParam();
