@@ -95,10 +95,10 @@ class QueryOfSoup : public testing::TestWithParam<std::tuple<int, float, Sidedne
 INSTANTIATE_TEST_SUITE_P(Soups, QueryOfSoup,
                          testing::Combine(testing::Values(1, 10, 300, 3000), testing::Values(0.02f, 0.2f, 2.0f),
                                           testing::Values(Sidedness::two_sided, Sidedness::one_sided)),
-                         [](const auto& info) {
+                         [](const auto& soup) {
                            return fmt::format(
-                               "Triangles{}Size{:.0f}Percent{}", std::get<0>(info.param), 100 * std::get<1>(info.param),
-                               std::get<2>(info.param) == Sidedness::two_sided ? "TwoSided" : "OneSided");
+                               "Triangles{}Size{:.0f}Percent{}", std::get<0>(soup.param), 100 * std::get<1>(soup.param),
+                               std::get<2>(soup.param) == Sidedness::two_sided ? "TwoSided" : "OneSided");
                          });
 
 TEST_P(QueryOfSoup, EqualsBruteForce) {
