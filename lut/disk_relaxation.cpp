@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 
 #include <glm/geometric.hpp>
 
@@ -12,9 +11,6 @@
 namespace lkao::lut {
 namespace {
 
-// Laine & Karras 2010, Sec. 6, name "a large number" and "a few" steps.
-constexpr int kFirstStepCount = 60;
-constexpr int kSecondStepCount = 3;
 // Grid samples a Voronoi cell: centroids are then good to about 1 % of a cell.
 constexpr int kSamplesPerCell = 64;
 
@@ -76,68 +72,54 @@ class NearestPoint {
   std::vector<std::vector<std::size_t>> buckets_;
 };
 
-// One Lloyd step: every point goes to the centroid of its Voronoi cell.
-void relax(std::vector<glm::dvec2>& points, const std::vector<glm::dvec2>& samples) {
-  const NearestPoint nearest(points);
-  std::vector<glm::dvec2> sums(points.size(), glm::dvec2(0));
-  std::vector<int> counts(points.size(), 0);
-  for (const glm::dvec2& sample : samples) {
-    const std::size_t i = nearest(sample);
-    sums[i] += sample;
-    ++counts[i];
-  }
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (counts[i] > 0) points[i] = sums[i] / static_cast<double>(counts[i]);
-  }
-}
-
-// Every point goes to a random place of its Voronoi cell ("reintroduce randomness", Sec. 6).
-void scatter(std::vector<glm::dvec2>& points, const std::vector<glm::dvec2>& samples, RandomStream& random) {
+// The samples of each point's Voronoi cell.
+std::vector<std::vector<std::size_t>> voronoi_cells(const std::vector<glm::dvec2>& points,
+                                                    const std::vector<glm::dvec2>& samples) {
   const NearestPoint nearest(points);
   std::vector<std::vector<std::size_t>> cells(points.size());
   for (std::size_t s = 0; s < samples.size(); ++s) cells[nearest(samples[s])].push_back(s);
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (!cells[i].empty()) points[i] = samples[cells[i][random.next_below(cells[i].size())]];
-  }
+  return cells;
 }
 
 }  // namespace
 
-std::vector<glm::dvec2> spiral_points(int point_count, std::uint64_t seed) {
-  const double golden_angle = std::numbers::pi * (3.0 - std::sqrt(5.0));
-  const double turn = RandomStream(seed).next_double() * 2.0 * std::numbers::pi;
-  std::vector<glm::dvec2> points;
-  for (int i = 0; i < point_count; ++i) {
-    const double radius = std::sqrt((i + 0.5) / point_count);
-    const double angle = turn + i * golden_angle;
-    points.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
+void relax(std::vector<glm::dvec2>& points, int step_count) {
+  const std::vector<glm::dvec2> samples = area_samples(static_cast<int>(points.size()));
+  std::vector<glm::dvec2> sums(points.size());
+  std::vector<int> counts(points.size());
+  for (int step = 0; step < step_count; ++step) {
+    std::fill(sums.begin(), sums.end(), glm::dvec2(0));
+    std::fill(counts.begin(), counts.end(), 0);
+    const NearestPoint nearest(points);
+    for (const glm::dvec2& sample : samples) {
+      const std::size_t i = nearest(sample);
+      sums[i] += sample;
+      ++counts[i];
+    }
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      if (counts[i] > 0) points[i] = sums[i] / static_cast<double>(counts[i]);
+    }
   }
-  return points;
 }
 
-std::vector<glm::dvec2> relaxed_points(int point_count, std::uint64_t seed) {
-  std::vector<glm::dvec2> points = spiral_points(point_count, seed);
-  const std::vector<glm::dvec2> samples = area_samples(point_count);
-  RandomStream random(seed ^ 0x5ca77e2u);
-  for (int step = 0; step < kFirstStepCount; ++step) relax(points, samples);
-  scatter(points, samples, random);
-  for (int step = 0; step < kSecondStepCount; ++step) relax(points, samples);
-  restore_equal_areas(points);
-  return points;
+void scatter(std::vector<glm::dvec2>& points, double share, std::uint64_t seed) {
+  const std::vector<glm::dvec2> samples = area_samples(static_cast<int>(points.size()));
+  const std::vector<std::vector<std::size_t>> cells = voronoi_cells(points, samples);
+  RandomStream random(seed);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (cells[i].empty()) continue;
+    const glm::dvec2& place = samples[cells[i][random.next_below(cells[i].size())]];
+    points[i] += share * (place - points[i]);
+  }
 }
 
 void restore_equal_areas(std::vector<glm::dvec2>& points) {
-  std::vector<std::size_t> by_radius(points.size());
-  std::iota(by_radius.begin(), by_radius.end(), std::size_t{0});
-  std::sort(by_radius.begin(), by_radius.end(), [&](std::size_t a, std::size_t b) {
-    const double radius_a = glm::dot(points[a], points[a]), radius_b = glm::dot(points[b], points[b]);
-    return radius_a != radius_b ? radius_a < radius_b : a < b;
-  });
-  for (std::size_t rank = 0; rank < by_radius.size(); ++rank) {
-    glm::dvec2& point = points[by_radius[rank]];
+  std::stable_sort(points.begin(), points.end(),
+                   [](const glm::dvec2& a, const glm::dvec2& b) { return glm::dot(a, a) < glm::dot(b, b); });
+  for (std::size_t rank = 0; rank < points.size(); ++rank) {
     const double radius = std::sqrt((static_cast<double>(rank) + 0.5) / static_cast<double>(points.size()));
-    const double length = glm::length(point);
-    point = length > 0 ? point * (radius / length) : glm::dvec2(radius, 0);
+    const double length = glm::length(points[rank]);
+    points[rank] = length > 0 ? points[rank] * (radius / length) : glm::dvec2(radius, 0);
   }
 }
 

@@ -1,6 +1,7 @@
-// Points spread evenly over the unit disk.
+// Lloyd relaxation on the unit disk.
 //
-// Based on: S. Laine, T. Karras, "Two Methods for Fast Ray-Cast Ambient Occlusion", EGSR 2010, Sec. 6.
+// Based on: S. Laine, T. Karras, "Two Methods for Fast Ray-Cast Ambient Occlusion", EGSR 2010, Sec. 6, and
+// S. P. Lloyd, "Least squares quantization in PCM", IEEE Transactions on Information Theory 28(2), 1982.
 #pragma once
 
 #include <cstdint>
@@ -10,15 +11,16 @@
 
 namespace lkao::lut {
 
-// Fibonacci spiral: even, regular, equal areas radially; turned by a random angle.
-std::vector<glm::dvec2> spiral_points(int point_count, std::uint64_t seed);
+// Lloyd steps: every point goes to the centroid of its Voronoi cell.
+void relax(std::vector<glm::dvec2>& points, int step_count);
 
-// The paper's two steps (relax, replace each point by a random one of its Voronoi cell, relax a little more), started
-// from a spiral, with the radii put back to equal areas at the end.
-std::vector<glm::dvec2> relaxed_points(int point_count, std::uint64_t seed);
+// Moves every point by `share` of its way to a random place of its Voronoi cell; all the way for 1 ("reintroduce
+// randomness", Sec. 6).
+void scatter(std::vector<glm::dvec2>& points, double share, std::uint64_t seed);
 
 // Moves the points along their radii so that the k-th nearest to the centre lies at sqrt((k + 1/2) / count): as many
 // points in every ring as its area asks for. Cosine-weighted directions then have an exact elevation distribution.
+// Leaves the points in the order of their radii.
 void restore_equal_areas(std::vector<glm::dvec2>& points);
 
 }  // namespace lkao::lut

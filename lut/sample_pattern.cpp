@@ -3,27 +3,45 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <mutex>
-#include <numbers>
-#include <numeric>
 #include <optional>
 #include <stdexcept>
+#include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
+#include <glm/geometric.hpp>
 
-#include "lut/disk_relaxation.h"
 #include "lut/hilbert.h"
+#include "lut/pattern_lengths.h"
+#include "lut/pattern_recipes.h"
 
 namespace lkao {
 
-struct SamplePattern::Data {
+struct SamplePattern::Directions {
   std::vector<glm::vec2> disk;
   std::vector<glm::vec3> directions;
-  std::vector<float> lengths;
   float lowest_elevation = 0;
+
+  // The share of each ray, found when first asked for, from any thread.
+  const std::vector<int>& shares() const {
+    std::call_once(once_, [this] { shares_ = lut::deal_shares(disk); });
+    return shares_;
+  }
+
+ private:
+  mutable std::once_flag once_;
+  mutable std::vector<int> shares_;
 };
 
 namespace {
+
+constexpr std::pair<PatternKind, std::string_view> kKindNames[] = {{PatternKind::lloyd, "lloyd"},
+                                                                   {PatternKind::paper, "paper"},
+                                                                   {PatternKind::fibonacci, "fibonacci"},
+                                                                   {PatternKind::sobol, "sobol"},
+                                                                   {PatternKind::random, "random"}};
 
 void require_valid_ray_count(std::size_t ray_count) {
   if (ray_count > kMaxRayCount || !is_valid_ray_count(static_cast<int>(ray_count))) {
@@ -38,38 +56,60 @@ glm::vec3 lift(const glm::vec2& point) {
   return {point.x, point.y, static_cast<float>(std::sqrt(1.0 - x * x - y * y))};
 }
 
-// Lengths with P(length >= x) = rho(x) (Eq. 3), one in each of ray_count equal shares of rho. Which share a ray gets
-// follows the golden ratio along the ray's index, so neighbours on the curve have shares far apart.
+// Independent points come as near to the edge of the disk as rounding allows; every direction must have z > 0.
+glm::vec2 inside_disk(const glm::dvec2& point) {
+  constexpr double kLargestRadius = 1.0 - 0x1p-20;
+  const double radius = glm::length(point);
+  return radius > kLargestRadius ? point * (kLargestRadius / radius) : point;
+}
+
+// Lengths with P(length >= x) = rho(x) (Eq. 3): one in each of ray_count equal shares of rho, longest first.
 std::vector<float> stratified_lengths(std::size_t ray_count, const Falloff& falloff) {
-  std::vector<double> places(ray_count);
-  for (std::size_t i = 0; i < ray_count; ++i) {
-    const double step = static_cast<double>(i) * (std::numbers::phi - 1.0);
-    places[i] = step - std::floor(step);
-  }
-  std::vector<std::size_t> order(ray_count);
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return places[a] < places[b]; });
-  std::vector<float> lengths(ray_count);
-  for (std::size_t rank = 0; rank < ray_count; ++rank) {
-    const double share = (static_cast<double>(rank) + 0.5) / static_cast<double>(ray_count);
-    lengths[order[rank]] = static_cast<float>(falloff.length_at(share));
+  std::vector<float> lengths;
+  for (std::size_t k = 0; k < ray_count; ++k) {
+    const double share = (static_cast<double>(k) + 0.5) / static_cast<double>(ray_count);
+    lengths.push_back(static_cast<float>(falloff.length_at(share)));
   }
   return lengths;
 }
 
 }  // namespace
 
+PatternKind pattern_kind_named(const std::string& name) {
+  std::string known;
+  for (const auto& [kind, kind_name] : kKindNames) {
+    if (name == kind_name) return kind;
+    known += (known.empty() ? "" : ", ") + std::string(kind_name);
+  }
+  throw std::invalid_argument(fmt::format("unknown pattern {}; known are {}", name, known));
+}
+
+const char* pattern_kind_name(PatternKind kind) {
+  for (const auto& [known, name] : kKindNames) {
+    if (known == kind) return name.data();
+  }
+  throw std::invalid_argument(fmt::format("pattern kind {} does not exist", static_cast<int>(kind)));
+}
+
 bool is_valid_ray_count(int ray_count) {
   return ray_count >= kMinRayCount && ray_count <= kMaxRayCount && ray_count % kRayCountStep == 0;
 }
 
-SamplePattern SamplePattern::relaxed(int ray_count, const Falloff& falloff, std::uint64_t seed) {
+SamplePattern::SamplePattern(std::shared_ptr<const Directions> directions, std::vector<float> lengths)
+    : directions_(std::move(directions)), lengths_(std::make_shared<const std::vector<float>>(std::move(lengths))) {}
+
+SamplePattern SamplePattern::make(PatternKind kind, int ray_count, const Falloff& falloff, std::uint64_t seed) {
   require_valid_ray_count(ray_count < 0 ? 0 : static_cast<std::size_t>(ray_count));
-  const std::vector<glm::dvec2> relaxed = lut::relaxed_points(ray_count, seed);
-  std::vector<glm::vec2> points(relaxed.begin(), relaxed.end());
+  std::vector<glm::vec2> points;
+  const std::vector<glm::dvec2> spread = lut::pattern_points(kind, ray_count, seed);
+  std::transform(spread.begin(), spread.end(), std::back_inserter(points), inside_disk);
   std::sort(points.begin(), points.end(),
             [](const glm::vec2& a, const glm::vec2& b) { return lut::hilbert_index(a) < lut::hilbert_index(b); });
-  return from_disk(points, stratified_lengths(points.size(), falloff));
+  return from_disk(points, std::vector<float>(points.size(), 1.0f)).with_falloff(falloff);
+}
+
+SamplePattern SamplePattern::relaxed(int ray_count, const Falloff& falloff, std::uint64_t seed) {
+  return make(PatternKind::lloyd, ray_count, falloff, seed);
 }
 
 const SamplePattern& SamplePattern::standard(int ray_count) {
@@ -87,7 +127,7 @@ SamplePattern SamplePattern::from_disk(std::span<const glm::vec2> points, std::s
   if (lengths.size() != points.size()) {
     throw std::invalid_argument(fmt::format("{} points but {} lengths", points.size(), lengths.size()));
   }
-  auto data = std::make_shared<Data>();
+  auto directions = std::make_shared<Directions>();
   float lowest = 1.0f;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const glm::vec3 direction = lift(points[i]);
@@ -99,24 +139,25 @@ SamplePattern SamplePattern::from_disk(std::span<const glm::vec2> points, std::s
       throw std::invalid_argument(fmt::format("length {} must be in [0, 1], not {}", i, lengths[i]));
     }
     lowest = std::min(lowest, direction.z);
-    data->directions.push_back(direction);
+    directions->directions.push_back(direction);
   }
-  data->disk.assign(points.begin(), points.end());
-  data->lengths.assign(lengths.begin(), lengths.end());
-  data->lowest_elevation = std::asin(lowest);
-  return SamplePattern(std::move(data));
+  directions->disk.assign(points.begin(), points.end());
+  directions->lowest_elevation = std::asin(lowest);
+  return {std::move(directions), std::vector<float>(lengths.begin(), lengths.end())};
 }
 
 SamplePattern SamplePattern::with_falloff(const Falloff& falloff) const {
-  auto data = std::make_shared<Data>(*data_);
-  data->lengths = stratified_lengths(data->disk.size(), falloff);
-  return SamplePattern(std::move(data));
+  const std::vector<float> sorted = stratified_lengths(directions_->disk.size(), falloff);
+  if (sorted.front() == sorted.back()) return {directions_, sorted};  // whoever gets which
+  std::vector<float> lengths;
+  for (int share : directions_->shares()) lengths.push_back(sorted[static_cast<std::size_t>(share)]);
+  return {directions_, std::move(lengths)};
 }
 
-int SamplePattern::ray_count() const { return static_cast<int>(data_->disk.size()); }
-std::span<const glm::vec2> SamplePattern::disk() const { return data_->disk; }
-std::span<const glm::vec3> SamplePattern::directions() const { return data_->directions; }
-std::span<const float> SamplePattern::lengths() const { return data_->lengths; }
-float SamplePattern::lowest_elevation() const { return data_->lowest_elevation; }
+int SamplePattern::ray_count() const { return static_cast<int>(directions_->disk.size()); }
+std::span<const glm::vec2> SamplePattern::disk() const { return directions_->disk; }
+std::span<const glm::vec3> SamplePattern::directions() const { return directions_->directions; }
+std::span<const float> SamplePattern::lengths() const { return *lengths_; }
+float SamplePattern::lowest_elevation() const { return directions_->lowest_elevation; }
 
 }  // namespace lkao

@@ -28,6 +28,7 @@ lkao_find(glm libglm-dev CONFIG)
 lkao_find(TBB libtbb-dev CONFIG)
 lkao_find(embree libembree-dev 3 CONFIG)
 lkao_find(fmt libfmt-dev CONFIG)
+lkao_find(hwy libhwy-dev CONFIG)
 
 if(LKAO_BUILD_TOOLS OR LKAO_BUILD_GL)
   lkao_find(PkgConfig pkg-config)

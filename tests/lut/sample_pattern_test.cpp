@@ -5,10 +5,14 @@
 #include <limits>
 #include <numbers>
 #include <stdexcept>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
+
+#include "lut/random.h"
 
 namespace lkao {
 namespace {
@@ -89,7 +93,7 @@ TEST_P(SamplePatternOfCount, HasExactElevations) {
 }
 
 // Any half disk holds half of the points, to a few points: walls darken evenly whatever way they face. Random points
-// miss by sqrt(N) / 2, the edge of the disk alone crosses some sqrt(N) cells of a relaxed pattern.
+// miss by sqrt(N) / 2.
 TEST_P(SamplePatternOfCount, SharesEveryHalfDisk) {
   const double n = GetParam();
   double sum2 = 0;
@@ -100,7 +104,7 @@ TEST_P(SamplePatternOfCount, SharesEveryHalfDisk) {
     for (const glm::vec2& p : pattern().disk()) count += p.x * std::cos(angle) + p.y * std::sin(angle) > 0;
     sum2 += (count - 0.5 * n) * (count - 0.5 * n);
   }
-  EXPECT_LT(std::sqrt(sum2 / kTurns), 0.2 * std::sqrt(n));
+  EXPECT_LT(std::sqrt(sum2 / kTurns), 0.12 * std::sqrt(n));
 }
 
 // Blue noise: no two points close together. Hexagonal packing has the largest possible least distance.
@@ -114,9 +118,9 @@ TEST_P(SamplePatternOfCount, KeepsPointsApart) {
   EXPECT_GT(least, 0.35 * hexagonal);
 }
 
-// Not the regular spiral it started from: the second step must have scattered the points.
-TEST_P(SamplePatternOfCount, IsIrregular) {
-  const auto disk = pattern().disk();
+// How much the distances to the nearest neighbour vary, as a share of their mean.
+double irregularity(const SamplePattern& pattern) {
+  const auto disk = pattern.disk();
   double sum = 0, sum2 = 0;
   for (std::size_t i = 0; i < disk.size(); ++i) {
     double nearest = 4;
@@ -125,8 +129,14 @@ TEST_P(SamplePatternOfCount, IsIrregular) {
     }
     sum += nearest, sum2 += nearest * nearest;
   }
-  const double mean = sum / GetParam();
-  EXPECT_GT(std::sqrt(sum2 / GetParam() - mean * mean) / mean, 0.05);
+  const double mean = sum / pattern.ray_count();
+  return std::sqrt(sum2 / pattern.ray_count() - mean * mean) / mean;
+}
+
+// Not the regular spiral it started from: the scattering must have left its mark.
+TEST_P(SamplePatternOfCount, IsIrregular) {
+  const SamplePattern spiral = SamplePattern::make(PatternKind::fibonacci, GetParam());
+  EXPECT_GT(irregularity(pattern()), 2 * irregularity(spiral));
 }
 
 TEST_P(SamplePatternOfCount, PutsNeighboursOnNeighbouringBits) {
@@ -151,13 +161,79 @@ TEST_P(SamplePatternOfCount, DistributesLengthsAfterTheFalloff) {
   }
 }
 
-// Lengths are stratified together with directions: any 16 neighbours on the curve have short and long rays.
+// Any 16 neighbours on the curve have short and long rays: their mean varies less than that of random lengths, whose
+// standard deviation is 1 / sqrt(12 x 16) = 0.072.
 TEST_P(SamplePatternOfCount, MixesLengthsAmongNeighbours) {
   const SamplePattern linear = pattern().with_falloff(Falloff::linear());
-  for (int first = 0; first + 16 <= GetParam(); ++first) {
+  double sum2 = 0;
+  int group_count = 0;
+  for (int first = 0; first + 16 <= GetParam(); ++first, ++group_count) {
     double sum = 0;
-    for (int i = 0; i < 16; ++i) sum += linear.lengths()[static_cast<std::size_t>(first + i)];
-    EXPECT_NEAR(sum / 16, 0.5, 0.08) << first;
+    for (int i = 0; i < 16; ++i) sum += static_cast<double>(linear.lengths()[static_cast<std::size_t>(first + i)]);
+    sum2 += (sum / 16 - 0.5) * (sum / 16 - 0.5);
+  }
+  EXPECT_LT(std::sqrt(sum2 / group_count), 0.055);
+}
+
+// A level ceiling at height h cares for elevation and length alone, which no turn of the pattern evens out. With linear
+// falloff its occlusion is (1 - h)^2. Lengths dealt at random miss by 0.019 with 128 rays and 0.0072 with 1024.
+TEST_P(SamplePatternOfCount, StratifiesLengthsAgainstElevation) {
+  const SamplePattern linear = pattern().with_falloff(Falloff::linear());
+  double sum2 = 0;
+  int height_count = 0;
+  for (double h = 0.02; h < 1; h += 0.01, ++height_count) {
+    int blocked_count = 0;
+    for (std::size_t i = 0; i < linear.lengths().size(); ++i) {
+      blocked_count += static_cast<double>(linear.lengths()[i] * linear.directions()[i].z) >= h;
+    }
+    const double error = static_cast<double>(blocked_count) / GetParam() - (1 - h) * (1 - h);
+    sum2 += error * error;
+  }
+  EXPECT_LT(std::sqrt(sum2 / height_count), 0.5 * std::pow(GetParam(), -0.75));
+}
+
+// RMS difference between the rays in a half disk that are longer than some length, and those due.
+double half_disk_length_error(const SamplePattern& linear) {
+  double sum2 = 0;
+  int region_count = 0;
+  for (int turn = 0; turn < 60; ++turn) {
+    const double angle = turn * 2.0 * std::numbers::pi / 60;
+    for (double length = 0.1; length < 0.95; length += 0.1, ++region_count) {
+      int count = 0;
+      for (std::size_t i = 0; i < linear.lengths().size(); ++i) {
+        const glm::vec2& p = linear.disk()[i];
+        count += p.x * std::cos(angle) + p.y * std::sin(angle) > 0 && static_cast<double>(linear.lengths()[i]) > length;
+      }
+      const double error = static_cast<double>(count) / linear.ray_count() - 0.5 * (1 - length);
+      sum2 += error * error;
+    }
+  }
+  return std::sqrt(sum2 / region_count);
+}
+
+TEST_P(SamplePatternOfCount, StratifiesLengthsAgainstDirections) {
+  const SamplePattern linear = pattern().with_falloff(Falloff::linear());
+  lut::RandomStream random(1);
+  std::vector<float> shuffled(linear.lengths().begin(), linear.lengths().end());
+  for (std::size_t left = shuffled.size(); left > 1; --left) {
+    std::swap(shuffled[left - 1], shuffled[random.next_below(left)]);
+  }
+  EXPECT_LT(half_disk_length_error(linear),
+            0.6 * half_disk_length_error(SamplePattern::from_disk(linear.disk(), shuffled)));
+}
+
+// The same rays are the long ones whatever the falloff, and whoever asks first.
+TEST(SamplePattern, DealsLengthsByDirectionsAlone) {
+  const SamplePattern a = SamplePattern::standard(128).with_falloff(Falloff::linear());
+  const SamplePattern b =
+      SamplePattern::relaxed(128).with_falloff(Falloff::exponential()).with_falloff(Falloff::linear());
+  const SamplePattern c =
+      SamplePattern::from_disk(a.disk(), std::vector<float>(128, 0.5f)).with_falloff(Falloff::linear());
+  EXPECT_TRUE(std::equal(a.lengths().begin(), a.lengths().end(), b.lengths().begin()));
+  EXPECT_TRUE(std::equal(a.lengths().begin(), a.lengths().end(), c.lengths().begin()));
+  const SamplePattern steep = a.with_falloff(Falloff::exponential(9));
+  for (std::size_t i = 1; i < 128; ++i) {
+    EXPECT_EQ(a.lengths()[i] < a.lengths()[i - 1], steep.lengths()[i] < steep.lengths()[i - 1]) << i;
   }
 }
 

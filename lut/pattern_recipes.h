@@ -1,0 +1,16 @@
+// Each kind of pattern as a recipe of points on the unit disk.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+#include "lkao/sample_pattern.h"
+
+namespace lkao::lut {
+
+// In any order; the points of `random` and `sobol` come as near to the edge of the disk as rounding allows.
+std::vector<glm::dvec2> pattern_points(PatternKind kind, int point_count, std::uint64_t seed);
+
+}  // namespace lkao::lut

@@ -1,0 +1,85 @@
+#include "lkao/plane_mask_table.h"
+
+#include <algorithm>
+#include <chrono>
+#include <stdexcept>
+#include <utility>
+
+#include <fmt/format.h>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <glm/geometric.hpp>
+
+#include "lut/isa.h"
+#include "lut/plane_cells.h"
+#include "lut/plane_mask_fill.h"
+
+namespace lkao {
+namespace {
+
+lut::RayEnds ends_of(const SamplePattern& pattern) {
+  lut::RayEnds ends;
+  ends.word_count = pattern.word_count();
+  for (std::size_t i = 0; i < pattern.directions().size(); ++i) {
+    const glm::vec3 end = pattern.directions()[i] * pattern.lengths()[i];
+    ends.x.push_back(end.x);
+    ends.y.push_back(end.y);
+    ends.z.push_back(end.z);
+    ends.length.push_back(glm::length(end));
+  }
+  return ends;
+}
+
+std::shared_ptr<const std::uint64_t[]> fill(const lut::RayEnds& ends, const lut::PlaneCells& cells, PlaneMasks masks) {
+  const auto mask_words = static_cast<std::size_t>(ends.word_count);
+  const std::size_t stride = masks == PlaneMasks::must_may ? 2 * mask_words : mask_words;
+  // Not made zero first: every used cell is written below, and the others are never looked up.
+  std::shared_ptr<std::uint64_t[]> storage(new std::uint64_t[cells.cell_count() * stride]);
+  tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, cells.cell_count(), 4096), [&](const auto& range) {
+    for (std::uint32_t cell = range.begin(); cell < range.end(); ++cell) {
+      const lut::PlaneCell geometry = cells.geometry(cell);
+      if (!geometry.is_used) continue;
+      std::uint64_t* words = storage.get() + cell * stride;
+      if (masks == PlaneMasks::nearest) {
+        lut::fill_nearest(ends, geometry, words);
+      } else {
+        lut::fill_must_may(ends, geometry, words, words + mask_words);
+      }
+    }
+  });
+  return storage;
+}
+
+bool has_full_length(const SamplePattern& pattern) {
+  return std::all_of(pattern.lengths().begin(), pattern.lengths().end(), [](float length) { return length == 1.0f; });
+}
+
+}  // namespace
+
+PlaneMaskTable::PlaneMaskTable(SamplePattern pattern, const PlaneMaskTableOptions& options)
+    : pattern_(std::move(pattern)), options_(options) {
+  if (options.resolution < 32 || options.resolution > 256) {
+    throw std::invalid_argument(fmt::format("table resolution must be from 32 to 256, not {}", options.resolution));
+  }
+  lut::obey_isa_environment();
+  const auto start = std::chrono::steady_clock::now();
+  cells_ = std::make_shared<lut::PlaneCells>(options.addressing, options.resolution);
+  storage_ = fill(ends_of(pattern_), *cells_, options.masks);
+  words_ = storage_.get();
+  stride_ = static_cast<std::size_t>(pattern_.word_count()) * (options.masks == PlaneMasks::must_may ? 2 : 1);
+  if (!has_full_length(pattern_)) {
+    directions_ = std::make_shared<PlaneMaskTable>(pattern_.with_falloff(Falloff::constant()), options);
+  }
+  build_seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+std::uint32_t PlaneMaskTable::cell(const glm::vec3& n, float d) const { return cells_->cell(n, d); }
+std::uint32_t PlaneMaskTable::edge_cell(const glm::vec3& n) const { return cells_->edge_cell(n); }
+const PlaneMaskTable& PlaneMaskTable::directions() const { return directions_ ? *directions_ : *this; }
+std::uint32_t PlaneMaskTable::cell_count() const { return cells_->cell_count(); }
+
+std::size_t PlaneMaskTable::memory_bytes() const {
+  return cell_count() * stride_ * sizeof(std::uint64_t) + (directions_ ? directions_->memory_bytes() : 0);
+}
+
+}  // namespace lkao
