@@ -26,16 +26,14 @@ struct BoxRay {
 };
 
 // The slab test over the segment's parameter range [0, 1]. Difference, reciprocal and product round once each, so each
-// parameter is within 3 x 2^-24 of the truth; the test grants both ends of the overlap more than that. Moving the faces
-// out by the smallest normal float matters only to a ray that runs within the plane of a face: it turns 0 x reciprocal
-// into -4 and 4, which says truly that the ray is inside the slab all along.
+// parameter is within 3 x 2^-24 of the truth; the test grants both ends of the overlap more than that. A ray that runs
+// within the plane of a face misses the box: the boxes of nodes are a step larger than what they hold (layout.h).
 inline bool may_meet(const BoxRay& ray, const glm::vec3& origin, const Bounds& box) {
   constexpr float kSlack = 1.0f + 0x1p-20f;
-  constexpr float kTiny = std::numeric_limits<float>::min();
   float enter = 0.0f, leave = 1.0f;
   for (int axis = 0; axis < 3; ++axis) {
-    const float at_lower = (box.lower[axis] - origin[axis] - kTiny) * ray.reciprocal[axis];
-    const float at_upper = (box.upper[axis] - origin[axis] + kTiny) * ray.reciprocal[axis];
+    const float at_lower = (box.lower[axis] - origin[axis]) * ray.reciprocal[axis];
+    const float at_upper = (box.upper[axis] - origin[axis]) * ray.reciprocal[axis];
     enter = std::max(enter, std::min(at_lower, at_upper));
     leave = std::min(leave, std::max(at_lower, at_upper));
   }

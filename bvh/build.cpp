@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 
@@ -199,14 +200,17 @@ class Flattener {
     Node node;
     std::fill_n(&node.lower[0][0], 3 * kWidth, kInfinity);
     std::fill_n(&node.upper[0][0], 3 * kWidth, -kInfinity);
-    std::fill_n(node.children, kWidth, ChildRef());
+    std::fill_n(node.children, kWidth, ChildRef::none());
     return node;
   }
 
+  // Faces move out by a step of float: see Node.
   void set_child(std::uint32_t node, std::uint32_t child, const Bounds& bounds, ChildRef ref) {
+    constexpr float kTiny = std::numeric_limits<float>::min();
     for (int axis = 0; axis < 3; ++axis) {
-      layout_.nodes[node].lower[axis][child] = bounds.lower[axis];
-      layout_.nodes[node].upper[axis][child] = bounds.upper[axis];
+      const float lower = bounds.lower[axis], upper = bounds.upper[axis];
+      layout_.nodes[node].lower[axis][child] = std::min(std::nextafter(lower, -kInfinity), lower - kTiny);
+      layout_.nodes[node].upper[axis][child] = std::max(std::nextafter(upper, kInfinity), upper + kTiny);
     }
     layout_.nodes[node].children[child] = ref;
   }

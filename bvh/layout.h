@@ -13,10 +13,11 @@ namespace lkao::bvh {
 
 inline constexpr int kWidth = 8;
 
-// Names a child of a node: nothing, a node, or a leaf.
+// Names a child of a node: nothing, a node, or a leaf. Without a value until one is given.
 class ChildRef {
  public:
-  constexpr ChildRef() = default;
+  ChildRef() = default;
+  static constexpr ChildRef none() { return ChildRef(kEmpty); }
   static constexpr ChildRef node(std::uint32_t index) { return ChildRef(index); }
   static constexpr ChildRef leaf(std::uint32_t index) { return ChildRef(index | kLeafBit); }
 
@@ -29,10 +30,12 @@ class ChildRef {
   static constexpr std::uint32_t kLeafBit = 0x80000000u;
   static constexpr std::uint32_t kEmpty = 0xffffffffu;
   explicit constexpr ChildRef(std::uint32_t bits) : bits_(bits) {}
-  std::uint32_t bits_ = kEmpty;
+  std::uint32_t bits_;
 };
 
-// Children fill the node from the front. The box of an empty child is inverted (lower > upper).
+// Children fill the node from the front. The box of an empty child is inverted (lower > upper). Every face is a step of
+// float outside what the box holds: a ray that runs within the plane of what it holds is then strictly between the
+// faces, and the slab test never multiplies 0 by the reciprocal of 0.
 struct alignas(64) Node {
   float lower[3][kWidth];  // by axis, then child
   float upper[3][kWidth];

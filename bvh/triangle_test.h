@@ -46,11 +46,11 @@ class TriangleTest {
     const double facing = in_front ? -1.0 : 1.0;
     normal_ *= facing;
     distance_ *= facing;
-    const double ray_norm = 1.7321 * static_cast<double>(radius);
-    normal_slack_ = kRounding * size * (norm(a) + ray_norm);
-    set_edge(0, a, b, facing, ray_norm);
-    set_edge(1, b, c, facing, ray_norm);
-    set_edge(2, c, a, facing, ray_norm);
+    ray_norm_ = 1.7321 * static_cast<double>(radius);
+    normal_slack_ = kRounding * size * (norm(a) + ray_norm_);
+    set_edge(0, a, b, facing);
+    set_edge(1, b, c, facing);
+    set_edge(2, c, a, facing);
   }
 
   // False where no ray at all can be blocked: one-sided and seen from behind, farther than the radius, or the origin
@@ -64,17 +64,31 @@ class TriangleTest {
            glm::dot(r, edges_[2]) >= -edge_slacks_[2] && glm::dot(r, normal_) >= distance_ - normal_slack_;
   }
 
+  // The planes, for kernels that decide by other means first. Normals are not of unit length; rays beyond all of
+  // edge(i) . x = 0 and normal() . x = distance() are blocked. Require can_block().
+  const glm::dvec3& edge(int i) const { return edges_[i]; }
+  const glm::dvec3& normal() const { return normal_; }
+  double distance() const { return distance_; }
+  // True where rounding has moved the normal by less than 1e-6 radians: not where the origin is as good as on the
+  // edge's line, or the triangle as good as a line.
+  bool has_edge_direction(int i) const { return is_sure(edges_[i], edge_slacks_[i]); }
+  bool has_normal_direction() const { return is_sure(normal_, normal_slack_); }
+
  private:
+  // `slack` is the error of the vector times the length of a ray.
+  bool is_sure(const glm::dvec3& vector, double slack) const { return norm(vector) * ray_norm_ > 1e6 * slack; }
+
   static constexpr double kRounding = 0x1p-49;
 
   static double norm(const glm::dvec3& v) { return std::fabs(v.x) + std::fabs(v.y) + std::fabs(v.z); }
 
-  void set_edge(int edge, const glm::dvec3& from, const glm::dvec3& to, double facing, double ray_norm) {
+  void set_edge(int edge, const glm::dvec3& from, const glm::dvec3& to, double facing) {
     const glm::dvec3 sum = from + to, along = to - from;
     edges_[edge] = facing * glm::cross(sum, along);
-    edge_slacks_[edge] = kRounding * norm(sum) * norm(along) * ray_norm;
+    edge_slacks_[edge] = kRounding * norm(sum) * norm(along) * ray_norm_;
   }
 
+  double ray_norm_;  // L1 norm of the longest ray
   glm::dvec3 edges_[3];
   double edge_slacks_[3];
   glm::dvec3 normal_;

@@ -6,15 +6,23 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
+#include <optional>
 #include <span>
 
+#include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
 
 #include "lkao/occluder_bvh.h"
 #include "lkao/occlusion_mask.h"
+#include "lkao/plane_mask_table.h"
 #include "lkao/sample_pattern.h"
 
 namespace lkao {
+
+namespace query {
+struct PatternLanes;
+}
 
 inline constexpr std::uint32_t kNoPrimitive = 0xffffffffu;
 
@@ -44,6 +52,18 @@ struct Jitter {
   float tilt = 0.02f;
 };
 
+// What answers a query; the bits are the same.
+enum class Kernel {
+  simd,    // vectors of the fastest instruction set that the processor has
+  scalar,  // the readable definition of the result
+};
+
+// How the table kernel finds the rays that may meet a node (Laine & Karras 2010, Sec. 5).
+enum class NodeMasks {
+  bounding_sphere,  // one or two look-ups (Figure 4)
+  box_outline,      // tighter: a look-up for each edge of the box's outline and each face seen
+};
+
 struct QueryOptions {
   // AO radius: the length of the longest ray, in the unit of the positions. Finite and > 0.
   float radius = 0;
@@ -55,16 +75,27 @@ struct QueryOptions {
   // geometric normal by surface_offset x 2^-24 x the largest coordinate in play (of the receiver or of the
   // occluders' bounds). >= 0 and finite; 0 where positions are already off the surface.
   float surface_offset = 16.0f;
+  // Only for queries without a plane mask table.
+  Kernel kernel = Kernel::simd;
+  // Only for queries with a plane mask table.
+  NodeMasks node_masks = NodeMasks::bounding_sphere;
 };
 
-// The rays that a receiver casts, in world space: segments from `origin` to `origin + rays[i]`.
+// The rays that a receiver casts, in world space: segments from `origin` to `origin + ray(i)`.
 struct ReceiverRays {
   glm::vec3 origin{0};
-  glm::vec3 directions[kMaxRayCount];  // unit vectors (to rounding)
-  glm::vec3 rays[kMaxRayCount];        // directions x lengths
+  // A rotation: where the pattern's axes go; the last column is near the normal. The direction of ray i is
+  // frame x pattern().directions()[i].
+  glm::mat3 frame{1};
   // Rays above the geometric horizon; the others are not cast. Empty for an invalid receiver.
   OcclusionMask cast;
   int ray_count = 0;
+  // Direction x length of each ray, component by component.
+  alignas(64) float x[kMaxRayCount];
+  alignas(64) float y[kMaxRayCount];
+  alignas(64) float z[kMaxRayCount];
+
+  glm::vec3 ray(int i) const { return {x[i], y[i], z[i]}; }
 };
 
 // The answer for one receiver.
@@ -106,6 +137,10 @@ class AmbientOcclusion {
   // Throws std::invalid_argument, naming the option and its value, where one is out of range.
   AmbientOcclusion(OccluderBvh occluders, SamplePattern pattern, const QueryOptions& options);
 
+  // Answers with the paper's look-ups instead of ray by ray: the pattern is the table's. With PlaneMasks::must_may the
+  // answers are the same bit for bit, with PlaneMasks::nearest they are approximate (lut/README.md has the figures).
+  AmbientOcclusion(OccluderBvh occluders, PlaneMaskTable table, const QueryOptions& options);
+
   // One receiver, in the calling thread. `index` with the seed gives the jitter: use the pixel, the vertex
   // or the sample number. Allocates nothing.
   ReceiverOcclusion query(const Receiver& receiver, std::uint64_t index) const;
@@ -117,15 +152,21 @@ class AmbientOcclusion {
 
   // The rays that `query` casts for this receiver, bit for bit: what a reference ray tracer must be given.
   ReceiverRays rays(const Receiver& receiver, std::uint64_t index) const;
+  void rays(const Receiver& receiver, std::uint64_t index, ReceiverRays& rays) const;
 
   const OccluderBvh& occluders() const { return occluders_; }
   const SamplePattern& pattern() const { return pattern_; }
   const QueryOptions& options() const { return options_; }
+  // The table of a query by look-ups; null otherwise.
+  const PlaneMaskTable* table() const { return table_ ? &*table_ : nullptr; }
 
  private:
   OccluderBvh occluders_;
   SamplePattern pattern_;
   QueryOptions options_;
+  std::optional<PlaneMaskTable> table_;
+  std::shared_ptr<const query::PatternLanes> lanes_;
+  float largest_coordinate_ = 0;  // of the occluders
 };
 
 }  // namespace lkao

@@ -18,6 +18,8 @@
 #pragma once
 
 #include "lkao/ambient_occlusion.h"
+#include "lkao/isa.h"
 #include "lkao/occluder_bvh.h"
 #include "lkao/occlusion_mask.h"
+#include "lkao/plane_mask_table.h"
 #include "lkao/sample_pattern.h"

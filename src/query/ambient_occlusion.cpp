@@ -9,6 +9,9 @@
 #include <fmt/format.h>
 
 #include "bvh/scalar_kernel.h"
+#include "bvh/simd_kernel.h"
+#include "bvh/table_kernel.h"
+#include "lut/isa.h"
 #include "query/answer.h"
 #include "query/batch.h"
 #include "query/receiver_rays.h"
@@ -41,42 +44,58 @@ float largest_coordinate(const OccluderBvh& occluders) {
   return largest;
 }
 
-ReceiverOcclusion answer(const AmbientOcclusion& ao, const Receiver& receiver, std::uint64_t index,
-                         ReceiverRays& rays) {
+// Fills `rays` with the rays that the receiver casts and finds those that are blocked.
+OcclusionMask trace(const AmbientOcclusion& ao, const query::PatternLanes& lanes, float largest_coordinate,
+                    const Receiver& receiver, std::uint64_t index, ReceiverRays& rays) {
   const QueryOptions& options = ao.options();
-  query::make_rays(receiver, ao.pattern(), options, largest_coordinate(ao.occluders()), index, rays);
-  OcclusionMask blocked;
-  if (rays.cast.any()) {
-    blocked = bvh::trace_scalar(ao.occluders().layout(), {rays, query::geometric_normal(receiver), options.radius,
-                                                          options.sidedness, receiver.excluded_primitive});
-  }
-  return query::make_answer(receiver, rays, blocked);
+  query::make_rays(receiver, lanes, options, largest_coordinate, index, rays);
+  if (!rays.cast.any()) return {};
+  const bvh::Query query{rays, query::geometric_normal(receiver), options.radius, options.sidedness,
+                         receiver.excluded_primitive};
+  const bvh::Layout& layout = ao.occluders().layout();
+  if (ao.table()) return bvh::trace_table(layout, query, *ao.table(), options.node_masks);
+  return options.kernel == Kernel::simd ? bvh::trace_simd(layout, query) : bvh::trace_scalar(layout, query);
 }
 
 }  // namespace
 
 AmbientOcclusion::AmbientOcclusion(OccluderBvh occluders, SamplePattern pattern, const QueryOptions& options)
-    : occluders_(std::move(occluders)), pattern_(std::move(pattern)), options_(options) {
+    : occluders_(std::move(occluders)),
+      pattern_(std::move(pattern)),
+      options_(options),
+      lanes_(std::make_shared<query::PatternLanes>(pattern_)),
+      largest_coordinate_(largest_coordinate(occluders_)) {
   validate(options_);
+  lut::obey_isa_environment();
+}
+
+AmbientOcclusion::AmbientOcclusion(OccluderBvh occluders, PlaneMaskTable table, const QueryOptions& options)
+    : AmbientOcclusion(std::move(occluders), table.pattern(), options) {
+  table_ = std::move(table);
 }
 
 ReceiverOcclusion AmbientOcclusion::query(const Receiver& receiver, std::uint64_t index) const {
   ReceiverRays rays;
-  return answer(*this, receiver, index, rays);
+  const OcclusionMask blocked = trace(*this, *lanes_, largest_coordinate_, receiver, index, rays);
+  return query::make_answer(pattern_, receiver, rays, blocked);
 }
 
 QueryReport AmbientOcclusion::query(std::span<const Receiver> receivers, const QueryOutputs& outputs,
                                     std::uint64_t first_index) const {
-  return query::run_batch(receivers, outputs, pattern_.word_count(), first_index,
+  return query::run_batch(pattern_, receivers, outputs, first_index,
                           [this](const Receiver& receiver, std::uint64_t index, ReceiverRays& rays) {
-                            return answer(*this, receiver, index, rays);
+                            return trace(*this, *lanes_, largest_coordinate_, receiver, index, rays);
                           });
 }
 
 ReceiverRays AmbientOcclusion::rays(const Receiver& receiver, std::uint64_t index) const {
-  ReceiverRays rays;
-  query::make_rays(receiver, pattern_, options_, largest_coordinate(occluders_), index, rays);
-  return rays;
+  ReceiverRays result;
+  rays(receiver, index, result);
+  return result;
+}
+
+void AmbientOcclusion::rays(const Receiver& receiver, std::uint64_t index, ReceiverRays& rays) const {
+  query::make_rays(receiver, *lanes_, options_, largest_coordinate_, index, rays);
 }
 
 }  // namespace lkao

@@ -10,14 +10,25 @@
 
 namespace lkao::query {
 
-ReceiverOcclusion make_answer(const Receiver& receiver, const ReceiverRays& rays, const OcclusionMask& blocked) {
+namespace {
+
+constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
+
+glm::vec3 bent_normal_of(const SamplePattern& pattern, const Receiver& receiver, const ReceiverRays& rays,
+                         const OcclusionMask& blocked) {
+  return rays.cast.any() ? bent_normal(pattern, rays, blocked, receiver.normal) : glm::vec3(kNaN);
+}
+
+}  // namespace
+
+float occlusion_of(const ReceiverRays& rays, const OcclusionMask& blocked) {
   const int cast_count = rays.cast.count();
-  if (cast_count == 0) {
-    constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
-    return {kNaN, glm::vec3(kNaN), {}};
-  }
-  return {static_cast<float>(blocked.count()) / static_cast<float>(cast_count),
-          bent_normal(rays, blocked, receiver.normal), blocked};
+  return cast_count > 0 ? static_cast<float>(blocked.count()) / static_cast<float>(cast_count) : kNaN;
+}
+
+ReceiverOcclusion make_answer(const SamplePattern& pattern, const Receiver& receiver, const ReceiverRays& rays,
+                              const OcclusionMask& blocked) {
+  return {occlusion_of(rays, blocked), bent_normal_of(pattern, receiver, rays, blocked), blocked};
 }
 
 void require_sizes(const QueryOutputs& outputs, std::size_t receiver_count, int word_count) {
@@ -31,21 +42,22 @@ void require_sizes(const QueryOutputs& outputs, std::size_t receiver_count, int 
   require("mask_words", outputs.mask_words.size(), receiver_count * static_cast<std::size_t>(word_count));
 }
 
-void store(const QueryOutputs& outputs, std::size_t k, int word_count, const ReceiverOcclusion& answer) {
-  if (!outputs.occlusion.empty()) outputs.occlusion[k] = answer.occlusion;
-  if (!outputs.bent_normals.empty()) outputs.bent_normals[k] = answer.bent_normal;
+void store(const QueryOutputs& outputs, std::size_t k, const SamplePattern& pattern, const Receiver& receiver,
+           const ReceiverRays& rays, const OcclusionMask& blocked) {
+  if (!outputs.occlusion.empty()) outputs.occlusion[k] = occlusion_of(rays, blocked);
+  if (!outputs.bent_normals.empty()) outputs.bent_normals[k] = bent_normal_of(pattern, receiver, rays, blocked);
   if (!outputs.mask_words.empty()) {
-    const auto words = static_cast<std::size_t>(word_count);
-    std::copy_n(answer.mask.words, words, outputs.mask_words.begin() + static_cast<std::ptrdiff_t>(k * words));
+    const auto words = static_cast<std::size_t>(pattern.word_count());
+    std::copy_n(blocked.words, words, outputs.mask_words.begin() + static_cast<std::ptrdiff_t>(k * words));
   }
 }
 
-void count(QueryReport& report, const ReceiverRays& rays, const ReceiverOcclusion& answer) {
+void count(QueryReport& report, const ReceiverRays& rays, const OcclusionMask& blocked) {
   const int cast_count = rays.cast.count();
   ++report.receiver_count;
   report.invalid_receiver_count += cast_count == 0;
   report.ray_count += static_cast<std::uint64_t>(cast_count);
-  report.blocked_ray_count += static_cast<std::uint64_t>(answer.mask.count());
+  report.blocked_ray_count += static_cast<std::uint64_t>(blocked.count());
 }
 
 void add(QueryReport& report, const QueryReport& part) {

@@ -6,16 +6,19 @@
 namespace lkao::query {
 
 // `blocked` within rays.cast. An invalid receiver (no ray cast) is answered with NaN.
-ReceiverOcclusion make_answer(const Receiver& receiver, const ReceiverRays& rays, const OcclusionMask& blocked);
+float occlusion_of(const ReceiverRays& rays, const OcclusionMask& blocked);
+ReceiverOcclusion make_answer(const SamplePattern& pattern, const Receiver& receiver, const ReceiverRays& rays,
+                              const OcclusionMask& blocked);
 
 // Throws std::invalid_argument where a span of the outputs is neither empty nor as long as asked for.
 void require_sizes(const QueryOutputs& outputs, std::size_t receiver_count, int word_count);
 
-// Puts the answer for receiver k where the batch wants it.
-void store(const QueryOutputs& outputs, std::size_t k, int word_count, const ReceiverOcclusion& answer);
+// Puts what the batch wants to know of receiver k in its place.
+void store(const QueryOutputs& outputs, std::size_t k, const SamplePattern& pattern, const Receiver& receiver,
+           const ReceiverRays& rays, const OcclusionMask& blocked);
 
 // Adds one receiver to the counts of a batch.
-void count(QueryReport& report, const ReceiverRays& rays, const ReceiverOcclusion& answer);
+void count(QueryReport& report, const ReceiverRays& rays, const OcclusionMask& blocked);
 
 // Adds the counts of a part of a batch.
 void add(QueryReport& report, const QueryReport& part);

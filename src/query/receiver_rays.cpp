@@ -42,8 +42,8 @@ glm::vec3 geometric_normal(const Receiver& receiver) {
   return unit(receiver.geometric_normal == glm::vec3(0) ? receiver.normal : receiver.geometric_normal);
 }
 
-Basis jittered_basis(const Receiver& receiver, const Jitter& jitter, float lowest_elevation, std::uint64_t seed,
-                     std::uint64_t index) {
+glm::mat3 jittered_frame(const Receiver& receiver, const Jitter& jitter, float lowest_elevation, std::uint64_t seed,
+                         std::uint64_t index) {
   lut::RandomStream random(lut::mix_bits(seed) ^ index);
   const double turn = random.next_double() * jitter.rotation * 2.0 * std::numbers::pi;
   // Evenly over the disk of tilts; a tenth of the lowest elevation stays, so that rounding cannot use it up.
@@ -57,14 +57,24 @@ Basis jittered_basis(const Receiver& receiver, const Jitter& jitter, float lowes
   const glm::dvec3 sideways = std::cos(tilt_turn) * tangent + std::sin(tilt_turn) * bitangent;
   const glm::dvec3 axis = glm::normalize(std::cos(tilt) * normal + std::sin(tilt) * sideways);
   make_tangents(axis, tangent, bitangent);
-  return {std::cos(turn) * tangent + std::sin(turn) * bitangent, std::cos(turn) * bitangent - std::sin(turn) * tangent,
-          axis};
+  return glm::mat3(std::cos(turn) * tangent + std::sin(turn) * bitangent,
+                   std::cos(turn) * bitangent - std::sin(turn) * tangent, axis);
 }
 
-void make_rays(const Receiver& receiver, const SamplePattern& pattern, const QueryOptions& options,
+PatternLanes::PatternLanes(const SamplePattern& pattern)
+    : length(pattern.lengths().begin(), pattern.lengths().end()), lowest_elevation(pattern.lowest_elevation()) {
+  for (const glm::vec3& direction : pattern.directions()) {
+    x.push_back(direction.x);
+    y.push_back(direction.y);
+    z.push_back(direction.z);
+  }
+}
+
+void make_rays(const Receiver& receiver, const PatternLanes& pattern, const QueryOptions& options,
                float largest_coordinate, std::uint64_t index, ReceiverRays& rays) {
+  const std::size_t ray_count = pattern.x.size();
   rays.cast = OcclusionMask();
-  rays.ray_count = pattern.ray_count();
+  rays.ray_count = static_cast<int>(ray_count);
   rays.origin = receiver.position;
   if (!is_valid(receiver)) return;
 
@@ -72,14 +82,21 @@ void make_rays(const Receiver& receiver, const SamplePattern& pattern, const Que
   const float largest = std::max(largest_component(receiver.position), largest_coordinate);
   rays.origin = receiver.position + up * (options.surface_offset * 0x1p-24f * largest);
 
-  const Basis basis = jittered_basis(receiver, options.jitter, pattern.lowest_elevation(), options.seed, index);
-  const std::span<const glm::vec3> directions = pattern.directions();
-  const std::span<const float> lengths = pattern.lengths();
-  for (std::size_t i = 0; i < directions.size(); ++i) {
-    const glm::vec3& d = directions[i];
-    rays.directions[i] = basis.tangent * d.x + basis.bitangent * d.y + basis.axis * d.z;
-    rays.rays[i] = rays.directions[i] * (lengths[i] * options.radius);
-    if (glm::dot(rays.directions[i], up) > 0) rays.cast.set(static_cast<int>(i));
+  const glm::mat3 frame = jittered_frame(receiver, options.jitter, pattern.lowest_elevation, options.seed, index);
+  rays.frame = frame;
+  float heights[kMaxRayCount];  // of unit directions, above the geometric horizon
+  for (std::size_t i = 0; i < ray_count; ++i) {
+    const float length = pattern.length[i] * options.radius;
+    const float x = frame[0].x * pattern.x[i] + frame[1].x * pattern.y[i] + frame[2].x * pattern.z[i];
+    const float y = frame[0].y * pattern.x[i] + frame[1].y * pattern.y[i] + frame[2].y * pattern.z[i];
+    const float z = frame[0].z * pattern.x[i] + frame[1].z * pattern.y[i] + frame[2].z * pattern.z[i];
+    rays.x[i] = x * length;
+    rays.y[i] = y * length;
+    rays.z[i] = z * length;
+    heights[i] = x * up.x + y * up.y + z * up.z;
+  }
+  for (std::size_t i = 0; i < ray_count; ++i) {
+    rays.cast.words[i / 64] |= static_cast<std::uint64_t>(heights[i] > 0) << (i % 64);
   }
 }
 

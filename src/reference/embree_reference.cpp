@@ -17,7 +17,7 @@ void for_each_ray(const ReceiverRays& rays, const Visit& visit) {
     for (std::uint64_t left = rays.cast.words[word]; left != 0; left &= left - 1) {
       const int ray = word * 64 + std::countr_zero(left);
       // A ray without length meets nothing, since segments are open at the receiver. Embree has no say in it.
-      if (rays.rays[ray] != glm::vec3(0)) visit(ray);
+      if (rays.ray(ray) != glm::vec3(0)) visit(ray);
     }
   }
 }
@@ -72,7 +72,7 @@ OcclusionMask cast_packets(const ReceiverRays& rays, RTCScene scene, RTCIntersec
   OcclusionMask blocked;
   Packet packet(rays.origin);
   for_each_ray(rays, [&](int ray) {
-    packet.add(ray, rays.rays[ray]);
+    packet.add(ray, rays.ray(ray));
     if (packet.full()) packet.cast(scene, context, blocked);
   });
   packet.cast(scene, context, blocked);
@@ -83,7 +83,7 @@ OcclusionMask cast_single_rays(const ReceiverRays& rays, RTCScene scene, RTCInte
   OcclusionMask blocked;
   const glm::vec3& origin = rays.origin;
   for_each_ray(rays, [&](int number) {
-    const glm::vec3& segment = rays.rays[number];
+    const glm::vec3 segment = rays.ray(number);
     RTCRay ray{origin.x, origin.y, origin.z, 0, segment.x, segment.y, segment.z, 0, 1, ~0u, 0, 0};
     rtcOccluded1(scene, &context, &ray);
     if (ray.tfar < 0) blocked.set(number);
@@ -107,15 +107,12 @@ OcclusionMask find_blocked(const EmbreeScene& scene, const ReceiverRays& rays, s
   return cast(rays, scene.plain(), context, casting);
 }
 
-// Leaves the rays that it casts in `rays`.
-ReceiverOcclusion answer(const EmbreeScene& scene, Casting casting, const AmbientOcclusion& ao,
-                         const Receiver& receiver, std::uint64_t index, ReceiverRays& rays) {
-  new (&rays) ReceiverRays(ao.rays(receiver, index));  // in place: an assignment would copy 24 KB
-  OcclusionMask blocked;
-  if (rays.cast.any()) {
-    blocked = find_blocked(scene, rays, receiver.excluded_primitive, ao.options().sidedness, casting);
-  }
-  return query::make_answer(receiver, rays, blocked);
+// Fills `rays` with the rays that the receiver casts and finds those that are blocked.
+OcclusionMask trace(const EmbreeScene& scene, Casting casting, const AmbientOcclusion& ao, const Receiver& receiver,
+                    std::uint64_t index, ReceiverRays& rays) {
+  ao.rays(receiver, index, rays);
+  if (!rays.cast.any()) return {};
+  return find_blocked(scene, rays, receiver.excluded_primitive, ao.options().sidedness, casting);
 }
 
 }  // namespace
@@ -128,14 +125,15 @@ EmbreeReference::~EmbreeReference() = default;
 ReceiverOcclusion EmbreeReference::query(const AmbientOcclusion& ao, const Receiver& receiver,
                                          std::uint64_t index) const {
   ReceiverRays rays;
-  return answer(*scene_, casting_, ao, receiver, index, rays);
+  const OcclusionMask blocked = trace(*scene_, casting_, ao, receiver, index, rays);
+  return query::make_answer(ao.pattern(), receiver, rays, blocked);
 }
 
 QueryReport EmbreeReference::query(const AmbientOcclusion& ao, std::span<const Receiver> receivers,
                                    const QueryOutputs& outputs, std::uint64_t first_index) const {
-  return query::run_batch(receivers, outputs, ao.pattern().word_count(), first_index,
+  return query::run_batch(ao.pattern(), receivers, outputs, first_index,
                           [&](const Receiver& receiver, std::uint64_t index, ReceiverRays& rays) {
-                            return answer(*scene_, casting_, ao, receiver, index, rays);
+                            return trace(*scene_, casting_, ao, receiver, index, rays);
                           });
 }
 

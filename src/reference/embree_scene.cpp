@@ -76,8 +76,8 @@ void filter_hits(const RTCFilterFunctionNArguments* arguments) {
 
 static_assert(std::is_standard_layout_v<FilteredContext>, "the filter casts back from the first member");
 
-EmbreeScene::EmbreeScene(const TriangleMesh& mesh, bool robust)
-    : device_(rtcNewDevice(nullptr)), flags_(robust ? RTC_SCENE_FLAG_ROBUST : RTC_SCENE_FLAG_NONE) {
+EmbreeScene::EmbreeScene(const TriangleMesh& mesh, bool robust, const char* device_config)
+    : device_(rtcNewDevice(device_config)), flags_(robust ? RTC_SCENE_FLAG_ROBUST : RTC_SCENE_FLAG_NONE) {
   if (!device_) fail("new device", rtcGetDeviceError(nullptr));
   check_indices(mesh);
   geometry_.reset(rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_TRIANGLE));

@@ -29,8 +29,8 @@ using Scene = Owned<RTCScene, rtcReleaseScene>;
 
 class EmbreeScene {
  public:
-  // Errors as EmbreeReference says.
-  EmbreeScene(const TriangleMesh& mesh, bool robust);
+  // `device_config` as of rtcNewDevice, such as "isa=avx2"; null for Embree's defaults. Errors as EmbreeReference says.
+  EmbreeScene(const TriangleMesh& mesh, bool robust, const char* device_config = nullptr);
 
   // For the rays of any receiver that excludes no primitive, two-sided: Embree at its full speed.
   RTCScene plain() const { return plain_.get(); }

@@ -19,6 +19,17 @@ glm::vec3 some_zeros(glm::vec3 v, lut::RandomStream& random) {
   return v;
 }
 
+// As the builder makes the boxes of nodes.
+Bounds a_step_larger(const Bounds& box) {
+  constexpr float kTiny = std::numeric_limits<float>::min();
+  Bounds larger;
+  for (int axis = 0; axis < 3; ++axis) {
+    larger.lower[axis] = std::min(std::nextafter(box.lower[axis], -INFINITY), box.lower[axis] - kTiny);
+    larger.upper[axis] = std::max(std::nextafter(box.upper[axis], INFINITY), box.upper[axis] + kTiny);
+  }
+  return larger;
+}
+
 TEST(BoxTest, TellsHitFromMiss) {
   const Bounds box{{1, -1, -1}, {2, 1, 1}};
   EXPECT_TRUE(may_meet(BoxRay({3, 0, 0}), glm::vec3(0), box));
@@ -39,15 +50,15 @@ TEST(BoxTest, NeverDropsAHit) {
     const glm::vec3 offset = tests::random_point(random, 1) * scale * std::pow(10.0f, tests::uniform(random, -2, 3));
     const glm::vec3 center = offset + tests::random_point(random, 1) * scale;
     const glm::vec3 half = glm::abs(some_zeros(tests::random_point(random, 1), random)) * scale * 0.3f;
-    const Bounds box{center - half, center + half};
-    // A point of the box, often on its faces.
+    const Bounds held{center - half, center + half}, box = a_step_larger(held);
+    // A point of what the box holds, often on its faces.
     glm::vec3 target;
     for (int axis = 0; axis < 3; ++axis) {
       const auto where = random.next_below(4);
-      target[axis] = where == 0   ? box.lower[axis]
-                     : where == 1 ? box.upper[axis]
-                                  : glm::clamp(tests::uniform(random, box.lower[axis], box.upper[axis]),
-                                               box.lower[axis], box.upper[axis]);
+      target[axis] = where == 0   ? held.lower[axis]
+                     : where == 1 ? held.upper[axis]
+                                  : glm::clamp(tests::uniform(random, held.lower[axis], held.upper[axis]),
+                                               held.lower[axis], held.upper[axis]);
     }
     // The segment, in the float arithmetic of a ray, passes the target at 1 / stretch to rounding; that rounding is the
     // test's own, so the target is computed back from the ray.
@@ -56,7 +67,7 @@ TEST(BoxTest, NeverDropsAHit) {
     const glm::vec3 ray = (target - origin) * stretch;
     bool hits = true;
     const glm::dvec3 reached = glm::dvec3(origin) + glm::dvec3(ray) / static_cast<double>(stretch);
-    for (int axis = 0; axis < 3; ++axis) hits &= reached[axis] >= box.lower[axis] && reached[axis] <= box.upper[axis];
+    for (int axis = 0; axis < 3; ++axis) hits &= reached[axis] >= held.lower[axis] && reached[axis] <= held.upper[axis];
     if (!hits) continue;
     ++hit_count;
     ASSERT_TRUE(may_meet(BoxRay(ray), origin, box)) << i;

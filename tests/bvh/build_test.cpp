@@ -25,7 +25,7 @@ bool within(const Bounds& inner, const Bounds& outer) {
 class Walk {
  public:
   explicit Walk(const bvh::Layout& layout) : layout_(layout) {
-    if (!layout.nodes.empty()) visit(0, layout.bounds);
+    if (!layout.nodes.empty()) visit(0, {layout.bounds.lower - 1e-5f, layout.bounds.upper + 1e-5f});
   }
   std::set<std::uint32_t> primitives, nodes, leaves;
 

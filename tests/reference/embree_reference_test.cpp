@@ -82,7 +82,7 @@ TEST(EmbreeReference, BlocksExactlyTheRaysThatReachACeiling) {
     const ReceiverOcclusion result = EmbreeReference(mesh, {.casting = casting}).query(ao, upright(), 7);
     int blocked_count = 0;
     for (int i = 0; i < rays.ray_count; ++i) {
-      const double height = static_cast<double>(rays.origin.z) + static_cast<double>(rays.rays[i].z);
+      const double height = static_cast<double>(rays.origin.z) + static_cast<double>(rays.ray(i).z);
       if (std::abs(height - 0.75) < 1e-6) continue;  // within Embree's rounding
       EXPECT_EQ(result.mask.test(i), height > 0.75) << "ray " << i;
       blocked_count += height > 0.75 ? 1 : 0;

@@ -20,7 +20,7 @@ inline OcclusionMask brute_force_mask(const TriangleMesh& mesh, const ReceiverRa
     const bvh::TriangleTest test(a, b, c, rays.origin, options.radius, options.sidedness);
     if (!test.can_block()) continue;
     for (int ray = 0; ray < rays.ray_count; ++ray) {
-      if (rays.cast.test(ray) && test.blocks(rays.rays[ray])) blocked.set(ray);
+      if (rays.cast.test(ray) && test.blocks(rays.ray(ray))) blocked.set(ray);
     }
   }
   return blocked;

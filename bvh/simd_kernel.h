@@ -1,0 +1,13 @@
+// The vector kernel: the bits of the scalar exact kernel, 16 rays or 8 boxes or triangles at a time.
+#pragma once
+
+#include "bvh/layout.h"
+#include "bvh/traversal.h"
+
+namespace lkao::bvh {
+
+// Which of the cast rays are blocked: equal to trace_scalar bit for bit on every SIMD target. The fastest target that
+// the processor has is chosen at run time. Allocates nothing; any thread.
+OcclusionMask trace_simd(const Layout& layout, const Query& query);
+
+}  // namespace lkao::bvh

@@ -1,0 +1,104 @@
+#include "bvh/table_kernel.h"
+
+#include "bvh/box_outline.h"
+#include "bvh/table_lookup.h"
+#include "bvh/triangle_culls.h"
+#include "bvh/triangle_test.h"
+
+namespace lkao::bvh {
+namespace {
+
+class TableKernel {
+ public:
+  TableKernel(const Query& query, const PlaneMaskTable& table, NodeMasks node_masks)
+      : query_(query),
+        word_count_(query.rays.ray_count / 64),
+        lookup_(table, query.rays.frame, query.radius),
+        node_masks_(node_masks) {}
+
+  OcclusionMask node_mask(const Bounds& box, OcclusionMask mask) const {
+    if (node_masks_ == NodeMasks::bounding_sphere) {
+      keep_towards_sphere(box, mask);
+    } else {
+      keep_towards_outline(box, mask);
+    }
+    return mask;
+  }
+
+  OcclusionMask triangle_mask(const Leaf& leaf, int triangle, const OcclusionMask& mask) const {
+    const glm::vec3 a = leaf.corner(triangle, 0), b = leaf.corner(triangle, 1), c = leaf.corner(triangle, 2);
+    OcclusionMask blocked;
+    if (is_culled(a, b, c, query_)) return blocked;
+    const TriangleTest test(a, b, c, query_.rays.origin, query_.radius, query_.sidedness);
+    if (!test.can_block()) return blocked;
+    const MaskBounds bounds = look_up(test, mask);
+    blocked = bounds.must;
+    for_each_ray(bounds.may & ~bounds.must, word_count_, [&](int ray) {
+      if (test.blocks(query_.rays.ray(ray))) blocked.set(ray);
+    });
+    return blocked;
+  }
+
+ private:
+  // Figure 1: three edges and the triangle's own plane.
+  MaskBounds look_up(const TriangleTest& test, const OcclusionMask& mask) const {
+    MaskBounds bounds{mask, mask};
+    for (int edge = 0; edge < 3; ++edge) {
+      if (test.has_edge_direction(edge)) {
+        lookup_.keep_beyond_edge(test.edge(edge), bounds);
+      } else if (lookup_.has_bounds()) {
+        bounds.must = OcclusionMask();
+      }
+    }
+    if (test.has_normal_direction()) {
+      lookup_.keep_beyond(test.normal(), test.distance(), bounds);
+    } else if (lookup_.has_bounds()) {
+      bounds.must = OcclusionMask();
+    }
+    return bounds;
+  }
+
+  // Sec. 5, Figure 4. Right: the rays within the cone around the sphere. Left: of those, the rays long enough to reach
+  // it. Where all rays have full length both are planes at right angles to the axis, and the farther one decides.
+  void keep_towards_sphere(const Bounds& box, OcclusionMask& mask) const {
+    const glm::dvec3 center = 0.5 * (glm::dvec3(box.lower) + glm::dvec3(box.upper)) - glm::dvec3(query_.rays.origin);
+    const glm::dvec3 half = 0.5 * (glm::dvec3(box.upper) - glm::dvec3(box.lower));
+    const double distance2 = glm::dot(center, center), radius2 = glm::dot(half, half);
+    if (distance2 <= radius2) return;  // the receiver is inside
+    const double distance = std::sqrt(distance2), tangent2 = distance2 - radius2;
+    const double ray2 = static_cast<double>(query_.radius) * static_cast<double>(query_.radius);
+    const double cone = std::sqrt(tangent2) / distance;
+    if (!lookup_.has_full_length()) {
+      lookup_.keep_towards(center, cone, mask);
+      lookup_.keep_beyond(center, distance * (distance - std::sqrt(radius2)), mask);
+    } else if (tangent2 <= ray2) {
+      lookup_.keep_towards(center, cone, mask);
+    } else {
+      lookup_.keep_beyond(center, 0.5 * (ray2 + tangent2), mask);
+    }
+  }
+
+  // Sec. 5: "find the silhouette edges of the node bounding box, as seen from p". The faces that p sees also cut off
+  // the rays that end before them.
+  void keep_towards_outline(const Bounds& box, OcclusionMask& mask) const {
+    const BoxOutline outline(box, query_.rays.origin);
+    for (int i = 0; i < outline.edge_count(); ++i) lookup_.keep_beyond_edge(outline.edge(i), mask);
+    for (int axis = 0; axis < 3; ++axis) {
+      if (outline.sees_face(axis)) lookup_.keep_beyond(outline.face_normal(axis), outline.face_distance(axis), mask);
+    }
+  }
+
+  const Query& query_;
+  int word_count_;
+  TableLookup lookup_;
+  NodeMasks node_masks_;
+};
+
+}  // namespace
+
+OcclusionMask trace_table(const Layout& layout, const Query& query, const PlaneMaskTable& table, NodeMasks node_masks) {
+  TableKernel kernel(query, table, node_masks);
+  return Traversal(layout, query, kernel).run();
+}
+
+}  // namespace lkao::bvh
