@@ -58,7 +58,7 @@ Bake compute(const BakeOptions& options, ProgressBar& progress) {
   const Stopwatch watch;
   const OccluderBvh occluders(mesh.view());
   result.build_seconds = watch.seconds();
-  const AmbientOcclusion ao(occluders, make_pattern(options.occlusion), make_query_options(options.occlusion));
+  const AmbientOcclusion ao = make_query(occluders, options.occlusion);
 
   result.batch = run_batch(ao, nullptr, vertex_receivers(mesh), {}, progress);
   progress.clear();

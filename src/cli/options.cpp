@@ -9,6 +9,20 @@ constexpr int kMaxThreadCount = 1024;
 
 }  // namespace
 
+std::string_view name_of(KernelChoice kernel) {
+  switch (kernel) {
+    case KernelChoice::simd:
+      return "simd";
+    case KernelChoice::scalar:
+      return "scalar";
+    case KernelChoice::table:
+      return "table";
+    case KernelChoice::nearest:
+      break;
+  }
+  return "nearest";
+}
+
 void add_common_options(CLI::App& app, CommonOptions& options) {
   const auto parse_thread_count = [](const std::string& text) { return parse_integer(text, 1, kMaxThreadCount); };
   add_parsed(app, "--threads", options.thread_count, parse_thread_count, "Threads to use (default: all)")
@@ -31,20 +45,42 @@ void add_occlusion_options(CLI::App& app, OcclusionOptions& options) {
   add_parsed(app, "--sided", options.sidedness, parse_sidedness,
              "Sides from which triangles block: one (their front) or two (default: two)")
       ->type_name("one|two");
+  const auto parse_kernel = [](const std::string& text) {
+    return parse_choice<KernelChoice>(text, {{"simd", KernelChoice::simd},
+                                             {"scalar", KernelChoice::scalar},
+                                             {"table", KernelChoice::table},
+                                             {"nearest", KernelChoice::nearest}});
+  };
+  add_parsed(app, "--kernel", options.kernel, parse_kernel,
+             "What answers the bvh method: simd; scalar, the definition; table, the paper's look-ups, exact; nearest, "
+             "the same, approximate (default: simd)")
+      ->type_name("NAME");
   add_parsed(app, "--seed", options.seed, parse_seed, "Seed of the per-receiver jitter (default: 0)")->type_name("S");
 }
+
+namespace {
 
 SamplePattern make_pattern(const OcclusionOptions& options) {
   const SamplePattern& pattern = SamplePattern::standard(options.ray_count);
   return options.falloff.name() == "constant" ? pattern : pattern.with_falloff(options.falloff);
 }
 
-QueryOptions make_query_options(const OcclusionOptions& options) {
+}  // namespace
+
+AmbientOcclusion make_query(const OccluderBvh& occluders, const OcclusionOptions& options) {
   QueryOptions query;
   query.radius = static_cast<float>(options.radius.value());
   query.sidedness = options.sidedness;
   query.seed = options.seed;
-  return query;
+  query.kernel = options.kernel == KernelChoice::scalar ? Kernel::scalar : Kernel::simd;
+  query.node_masks = NodeMasks::box_outline;
+  const SamplePattern pattern = make_pattern(options);
+  if (options.kernel == KernelChoice::table || options.kernel == KernelChoice::nearest) {
+    PlaneMaskTableOptions table;
+    table.masks = options.kernel == KernelChoice::table ? PlaneMasks::must_may : PlaneMasks::nearest;
+    return {occluders, PlaneMaskTable(pattern, table), query};
+  }
+  return {occluders, pattern, query};
 }
 
 }  // namespace lkao::cli

@@ -5,6 +5,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include <oneapi/tbb/global_control.h>
@@ -39,6 +40,10 @@ struct CommonOptions {
 };
 void add_common_options(CLI::App& app, CommonOptions& options);
 
+// What answers the query.
+enum class KernelChoice { simd, scalar, table, nearest };
+std::string_view name_of(KernelChoice kernel);
+
 // What to ask of every receiver; on `render` and `bake`.
 struct OcclusionOptions {
   std::optional<double> radius;
@@ -46,12 +51,12 @@ struct OcclusionOptions {
   Falloff falloff = Falloff::constant();
   Sidedness sidedness = Sidedness::two_sided;
   std::uint64_t seed = 0;
+  KernelChoice kernel = KernelChoice::simd;
 };
 void add_occlusion_options(CLI::App& app, OcclusionOptions& options);
 
-SamplePattern make_pattern(const OcclusionOptions& options);
 // Needs the radius.
-QueryOptions make_query_options(const OcclusionOptions& options);
+AmbientOcclusion make_query(const OccluderBvh& occluders, const OcclusionOptions& options);
 
 // Calls `function` so that everything parallel in it uses the given number of threads.
 template <class Function>

@@ -62,7 +62,7 @@ Rendering compute(const RenderOptions& options, ProgressBar& progress) {
   Stopwatch watch;
   const OccluderBvh occluders(mesh.view());
   result.build_seconds = watch.lap();
-  const AmbientOcclusion ao(occluders, make_pattern(options.occlusion), make_query_options(options.occlusion));
+  const AmbientOcclusion ao = make_query(occluders, options.occlusion);
   std::optional<reference::EmbreeReference> embree;
   watch.lap();
   if (options.reference || options.method == Method::embree) {

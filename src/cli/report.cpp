@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "lkao/isa.h"
+
 namespace lkao::cli {
 namespace {
 
@@ -64,6 +66,8 @@ void add_batch_keys(Json& document, const Batch& batch) {
 
 void add_setting_keys(Json& document, const OcclusionOptions& options) {
   document["falloff"] = options.falloff.name();
+  document["kernel"] = name_of(options.kernel);
+  document["isa"] = active_isa();
   document["sided"] = options.sidedness == Sidedness::one_sided ? "one" : "two";
   document["seed"] = options.seed;
   document["threads"] = tbb::this_task_arena::max_concurrency();
