@@ -1,0 +1,18 @@
+// The subcommands of lkao-bench.
+#pragma once
+
+#include <functional>
+
+#include <CLI/CLI.hpp>
+
+namespace lkao::bench {
+
+struct Command {
+  CLI::App* app;
+  std::function<void()> run;  // once the command line is parsed; throws with one line
+};
+
+// Ray casting against Embree.
+Command add_rays_command(CLI::App& program);
+
+}  // namespace lkao::bench

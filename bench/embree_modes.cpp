@@ -1,0 +1,198 @@
+#include "embree_modes.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstddef>
+
+#include <fmt/format.h>
+
+namespace lkao::bench {
+namespace {
+
+void set_bit(std::uint64_t* words, int bit) { words[bit / 64] |= std::uint64_t{1} << (bit % 64); }
+
+// Calls `visit(ray)` for every ray to cast, in the order of the pattern.
+template <typename Visit>
+void for_each_ray(const ReceiverRays& rays, const Visit& visit) {
+  for (int word = 0; word < OcclusionMask::kMaxWordCount; ++word) {
+    for (std::uint64_t left = rays.cast.words[word]; left != 0; left &= left - 1) {
+      const int ray = word * 64 + std::countr_zero(left);
+      if (rays.ray(ray) != glm::vec3(0)) visit(ray);
+    }
+  }
+}
+
+template <int kWidth>
+struct Api;
+template <>
+struct Api<4> {
+  using Rays = RTCRay4;
+  static constexpr auto kOccluded = rtcOccluded4;
+};
+template <>
+struct Api<8> {
+  using Rays = RTCRay8;
+  static constexpr auto kOccluded = rtcOccluded8;
+};
+template <>
+struct Api<16> {
+  using Rays = RTCRay16;
+  static constexpr auto kOccluded = rtcOccluded16;
+};
+
+template <int kWidth>
+class Packet {
+ public:
+  Packet() {
+    for (int lane = 0; lane < kWidth; ++lane) {
+      rays_.tnear[lane] = 0;
+      rays_.time[lane] = 0;
+      rays_.mask[lane] = ~0u;
+      rays_.id[lane] = 0;
+      rays_.flags[lane] = 0;
+      place(lane, glm::vec3(0));
+      aim(lane, glm::vec3(0));
+    }
+    clear();
+  }
+
+  // Origin of the lane's rays from now on.
+  void place(int lane, const glm::vec3& origin) {
+    rays_.org_x[lane] = origin.x;
+    rays_.org_y[lane] = origin.y;
+    rays_.org_z[lane] = origin.z;
+  }
+
+  // Puts a ray into the lane.
+  void aim(int lane, const glm::vec3& segment) {
+    valid_[lane] = -1;
+    rays_.dir_x[lane] = segment.x;
+    rays_.dir_y[lane] = segment.y;
+    rays_.dir_z[lane] = segment.z;
+    rays_.tfar[lane] = 1;
+  }
+
+  void cast(RTCScene scene, RTCIntersectContext& context) { Api<kWidth>::kOccluded(valid_, scene, &context, &rays_); }
+  bool blocked(int lane) const { return valid_[lane] != 0 && rays_.tfar[lane] < 0; }
+
+  // Takes all rays out; origins stay.
+  void clear() { std::fill(std::begin(valid_), std::end(valid_), 0); }
+
+ private:
+  typename Api<kWidth>::Rays rays_;
+  alignas(64) int valid_[kWidth];
+};
+
+// Casts the rays of one receiver; `words` is its mask.
+void cast_singly(const ReceiverRays& rays, RTCScene scene, RTCIntersectContext& context, std::uint64_t* words) {
+  const glm::vec3& origin = rays.origin;
+  for_each_ray(rays, [&](int number) {
+    const glm::vec3 segment = rays.ray(number);
+    RTCRay ray{origin.x, origin.y, origin.z, 0, segment.x, segment.y, segment.z, 0, 1, ~0u, 0, 0};
+    rtcOccluded1(scene, &context, &ray);
+    if (ray.tfar < 0) set_bit(words, number);
+  });
+}
+
+// The same, `kWidth` rays a call.
+template <int kWidth>
+void cast_packets(const ReceiverRays& rays, RTCScene scene, RTCIntersectContext& context, std::uint64_t* words) {
+  Packet<kWidth> packet;
+  for (int lane = 0; lane < kWidth; ++lane) packet.place(lane, rays.origin);
+  int numbers[kWidth];
+  int size = 0;
+  const auto cast_packet = [&] {
+    packet.cast(scene, context);
+    for (int lane = 0; lane < size; ++lane) {
+      if (packet.blocked(lane)) set_bit(words, numbers[lane]);
+    }
+    packet.clear();
+    size = 0;
+  };
+  for_each_ray(rays, [&](int ray) {
+    packet.aim(size, rays.ray(ray));
+    numbers[size++] = ray;
+    if (size == kWidth) cast_packet();
+  });
+  if (size > 0) cast_packet();
+}
+
+void cast_receiver(int width, const ReceiverRays& rays, RTCScene scene, RTCIntersectContext& context,
+                   std::uint64_t* words) {
+  switch (width) {
+    case 1:
+      return cast_singly(rays, scene, context, words);
+    case 4:
+      return cast_packets<4>(rays, scene, context, words);
+    case 8:
+      return cast_packets<8>(rays, scene, context, words);
+    default:
+      return cast_packets<16>(rays, scene, context, words);
+  }
+}
+
+constexpr int kGroupSize = 16;
+
+// Ray by ray, for up to kGroupSize receivers at once. Their masks follow each other in `words`.
+void cast_group(std::span<const ReceiverRays> group, int ray_count, RTCScene scene, RTCIntersectContext& context,
+                std::uint64_t* words) {
+  const int lane_count = static_cast<int>(group.size());
+  const int word_count = ray_count / 64;
+  Packet<kGroupSize> packet;
+  for (int lane = 0; lane < lane_count; ++lane) packet.place(lane, group[static_cast<std::size_t>(lane)].origin);
+  for (int ray = 0; ray < ray_count; ++ray) {
+    packet.clear();
+    for (int lane = 0; lane < lane_count; ++lane) {
+      const ReceiverRays& rays = group[static_cast<std::size_t>(lane)];
+      if (rays.cast.test(ray) && rays.ray(ray) != glm::vec3(0)) packet.aim(lane, rays.ray(ray));
+    }
+    packet.cast(scene, context);
+    for (int lane = 0; lane < lane_count; ++lane) {
+      if (packet.blocked(lane)) set_bit(words + lane * word_count, ray);
+    }
+  }
+}
+
+void cast_groups(RTCScene scene, RTCIntersectContext& context, const AmbientOcclusion& ao,
+                 std::span<const Receiver> receivers, std::uint64_t* words) {
+  const std::size_t word_count = static_cast<std::size_t>(ao.pattern().word_count());
+  std::vector<ReceiverRays> group(kGroupSize);
+  for (std::size_t first = 0; first < receivers.size(); first += kGroupSize) {
+    const std::size_t size = std::min<std::size_t>(kGroupSize, receivers.size() - first);
+    for (std::size_t i = 0; i < size; ++i) ao.rays(receivers[first + i], first + i, group[i]);
+    cast_group(std::span(group).first(size), ao.pattern().ray_count(), scene, context, words + first * word_count);
+  }
+}
+
+}  // namespace
+
+std::string EmbreeMode::name() const {
+  return fmt::format("embree{}{}_{}", width, packing == Packing::receivers ? "_parallel" : "",
+                     flag == RTC_INTERSECT_CONTEXT_FLAG_COHERENT ? "coherent" : "incoherent");
+}
+
+std::vector<EmbreeMode> all_embree_modes() {
+  std::vector<EmbreeMode> modes;
+  for (const auto flag : {RTC_INTERSECT_CONTEXT_FLAG_COHERENT, RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT}) {
+    for (const int width : {1, 4, 8, 16}) modes.push_back({width, flag});
+    modes.push_back({kGroupSize, flag, Packing::receivers});
+  }
+  return modes;
+}
+
+void cast(const EmbreeMode& mode, RTCScene scene, const AmbientOcclusion& ao, std::span<const Receiver> receivers,
+          std::span<std::uint64_t> mask_words) {
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  context.flags = mode.flag;
+  std::fill(mask_words.begin(), mask_words.end(), 0);
+  if (mode.packing == Packing::receivers) return cast_groups(scene, context, ao, receivers, mask_words.data());
+  const std::size_t word_count = static_cast<std::size_t>(ao.pattern().word_count());
+  ReceiverRays rays;
+  for (std::size_t k = 0; k < receivers.size(); ++k) {
+    ao.rays(receivers[k], k, rays);
+    cast_receiver(mode.width, rays, scene, context, mask_words.data() + k * word_count);
+  }
+}
+
+}  // namespace lkao::bench

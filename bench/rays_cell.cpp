@@ -1,0 +1,108 @@
+#include "rays_cell.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <string_view>
+#include <utility>
+
+#include <tbb/global_control.h>
+
+#include "cli/stopwatch.h"
+#include "embree_modes.h"
+
+namespace lkao::bench {
+namespace {
+
+using Masks = std::vector<std::uint64_t>;
+
+struct Method {
+  std::string name;
+  int round_count;
+  std::function<void(Masks&)> answer;
+  std::vector<double> seconds = {};  // a round each
+  Masks masks = {};
+};
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+std::uint64_t count_differences(const Masks& a, const Masks& b) {
+  std::uint64_t count = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) count += static_cast<std::uint64_t>(std::popcount(a[i] ^ b[i]));
+  return count;
+}
+
+template <typename Results, typename Test>
+const MethodResult& fastest(const Results& results, const Test& test) {
+  const MethodResult* best = nullptr;
+  for (const MethodResult& result : results) {
+    if (test(result.method) && (best == nullptr || result.mrays_per_second > best->mrays_per_second)) best = &result;
+  }
+  return *best;
+}
+
+void run_rounds(std::vector<Method>& methods, int round_count) {
+  for (int round = 0; round < round_count; ++round) {
+    for (Method& method : methods) {
+      if (round >= method.round_count) continue;
+      const cli::Stopwatch time;
+      method.answer(method.masks);
+      method.seconds.push_back(time.seconds());
+    }
+  }
+}
+
+}  // namespace
+
+const MethodResult& Cell::result(const std::string& method) const {
+  return fastest(results, [&](const std::string& name) { return name == method; });
+}
+
+const MethodResult& Cell::best_embree() const {
+  return fastest(results, [](std::string_view name) { return name.starts_with("embree"); });
+}
+
+const MethodResult& Cell::occluded1() const {
+  return fastest(results, [](std::string_view name) { return name.starts_with("embree1_"); });
+}
+
+void measure(const CellInput& input, int round_count, Cell& cell) {
+  const SamplePattern& pattern = SamplePattern::standard(cell.ray_count);
+  const auto make_query = [&](Kernel kernel) {
+    return AmbientOcclusion(*input.occluders, pattern, {.radius = cell.radius, .kernel = kernel});
+  };
+  const AmbientOcclusion simd = make_query(Kernel::simd);
+  const AmbientOcclusion scalar = make_query(Kernel::scalar);
+
+  Masks expected(input.receivers.size() * static_cast<std::size_t>(pattern.word_count()));
+  const std::uint64_t ray_count = input.oracle->query(simd, input.receivers, {.mask_words = expected}).ray_count;
+
+  std::vector<Method> methods;
+  const auto add_kernel = [&](const char* name, int rounds, const AmbientOcclusion& ao) {
+    methods.push_back({name, rounds, [&](Masks& masks) { ao.query(input.receivers, {.mask_words = masks}); }});
+  };
+  add_kernel(kSimdMethod, round_count, simd);
+  add_kernel(kScalarMethod, 1, scalar);
+  for (const EmbreeMode& mode : all_embree_modes()) {
+    methods.push_back({mode.name(), round_count,
+                       [&, mode](Masks& masks) { cast(mode, input.rival->plain(), simd, input.receivers, masks); }});
+  }
+  for (Method& method : methods) method.masks.resize(expected.size());
+
+  const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
+  run_rounds(methods, round_count);
+
+  const double rays = static_cast<double>(ray_count);
+  for (const Method& method : methods) {
+    cell.results.push_back({method.name, rays / median(method.seconds) * 1e-6,
+                            static_cast<double>(count_differences(method.masks, expected)) / rays});
+  }
+}
+
+}  // namespace lkao::bench

@@ -1,0 +1,136 @@
+// lkao-bench rays: lkao against every mode of Embree, on the same rays, in one thread.
+#include <cstdio>
+#include <fstream>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "commands.h"
+#include "lkao/lkao.h"
+#include "rays_cell.h"
+#include "rays_report.h"
+#include "study_scenes.h"
+#include "tiles.h"
+
+namespace lkao::bench {
+namespace {
+
+struct Options {
+  StudySceneOptions scenes = {.views = {}, .names = {}, .width = 1024, .height = 768};
+  std::vector<int> ray_counts = {128, 1024};
+  int round_count = 5;
+  int tile_count = 4;
+  std::string isa;
+  std::string csv;
+};
+
+// What limits Embree to the instruction set that lkao is limited to. Nothing where lkao is not.
+std::optional<std::string> embree_config(bool forced) {
+  const std::string isa = active_isa();
+  if (!forced && isa == available_isas().front()) return std::nullopt;
+  if (isa.starts_with("avx3") || isa.starts_with("avx10")) return "isa=avx512";
+  if (isa == "avx2") return "isa=avx2";
+  if (isa == "sse4") return "isa=sse4.2";
+  if (isa == "ssse3" || isa == "sse2") return "isa=sse2";
+  return std::nullopt;  // NEON and others: Embree has no choice there
+}
+
+// Fails before hours of measuring, not after.
+class CsvFile {
+ public:
+  explicit CsvFile(const std::string& path) : path_(path) {
+    if (path_.empty()) return;
+    file_.open(path_);
+    write(rays_csv_heading());
+  }
+
+  void write(const std::string& rows) {
+    if (path_.empty()) return;
+    file_ << rows << std::flush;
+    if (!file_) throw std::runtime_error(path_ + ": cannot be written");
+  }
+
+ private:
+  std::string path_;
+  std::ofstream file_;
+};
+
+class Comparison {
+ public:
+  explicit Comparison(const Options& options)
+      : options_(options), config_(embree_config(!options.isa.empty())), csv_(options.csv) {}
+
+  void run() {
+    fmt::print("{}", rays_table_heading());
+    for (const std::string& name : study_scene_names(options_.scenes)) {
+      StudySceneOptions one = options_.scenes;
+      one.names = {name};
+      measure_scene(load_study_scenes(one).front());
+    }
+    fmt::print("{}", rays_summary(cells_));
+  }
+
+ private:
+  void measure_scene(const StudyScene& scene) {
+    const std::vector<Receiver> receivers =
+        choose_tiles(scene.receivers, scene.pixels, options_.scenes.width, options_.tile_count);
+    if (receivers.empty()) throw std::runtime_error(scene.name + ": no tile of the picture is half full of receivers");
+    const OccluderBvh occluders(scene.mesh.view());
+    const reference::EmbreeScene rival(scene.mesh.view(), false, config_ ? config_->c_str() : nullptr);
+    const reference::EmbreeReference oracle(scene.mesh, {});
+    for (const float radius : scene.radii) {
+      for (const int ray_count : options_.ray_counts) {
+        Cell cell{scene.name, radius, ray_count, active_isa(), {}};
+        measure({&occluders, &rival, &oracle, receivers}, options_.round_count, cell);
+        csv_.write(rays_csv_rows(cell));
+        fmt::print("{}", rays_table_row(cell));
+        std::fflush(stdout);
+        cells_.push_back(std::move(cell));
+      }
+    }
+  }
+
+  Options options_;
+  std::optional<std::string> config_;
+  CsvFile csv_;
+  std::vector<Cell> cells_;
+};
+
+void check(const Options& options) {
+  for (const int ray_count : options.ray_counts) {
+    if (is_valid_ray_count(ray_count)) continue;
+    throw std::invalid_argument(fmt::format("--samples must be multiples of {} from {} to {}, not {}", kRayCountStep,
+                                            kMinRayCount, kMaxRayCount, ray_count));
+  }
+}
+
+}  // namespace
+
+Command add_rays_command(CLI::App& program) {
+  auto options = std::make_shared<Options>();
+  CLI::App* app = program.add_subcommand("rays", "Millions of rays a second, one thread, lkao against Embree.");
+  app->add_option("--views", options->scenes.views, "scenes of this views.json instead of built-in ones");
+  app->add_option("--scenes", options->scenes.names, "names of scenes (default: all; built in: atrium, city)")
+      ->delimiter(',');
+  app->add_option("--samples", options->ray_counts, "rays a receiver")->delimiter(',')->capture_default_str();
+  app->add_option("--rounds", options->round_count, "of which the median counts")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  app->add_option("--tiles", options->tile_count, "32 x 32 pixels each, of the view at 1024 x 768")
+      ->check(CLI::Range(1, 768))
+      ->capture_default_str();
+  app->add_option("--isa", options->isa, "instruction set of both: avx512, avx2, sse4, ... (default: the best)");
+  app->add_option("--csv", options->csv, "write every measurement to this file");
+  return {app, [options] {
+            check(*options);
+            if (!options->isa.empty()) force_isa(options->isa);
+            Comparison(*options).run();
+          }};
+}
+
+}  // namespace lkao::bench

@@ -1,0 +1,87 @@
+#include "study_scenes.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "scene/builtin.h"
+#include "scene/camera.h"
+#include "scene/load.h"
+
+namespace lkao::bench {
+namespace {
+
+using nlohmann::json;
+
+glm::vec3 vector_of(const json& value) { return {value.at(0), value.at(1), value.at(2)}; }
+
+StudyScene look_at(std::string name, scene::Mesh mesh, const scene::Camera& camera, std::vector<float> radii,
+                   const StudySceneOptions& options) {
+  scene::ReceiverImage image = scene::find_receivers(mesh, camera, options.width, options.height);
+  if (image.receivers.empty()) throw std::runtime_error(fmt::format("{}: the camera sees nothing", name));
+  return {std::move(name), std::move(mesh), std::move(image.receivers), std::move(radii), std::move(image.pixels)};
+}
+
+StudyScene load_builtin(const std::string& name, const StudySceneOptions& options) {
+  const scene::BuiltinScene& builtin = scene::builtin_scene(name);
+  return look_at(name, scene::make_builtin(name), builtin.camera, {builtin.radii.small, builtin.radii.large}, options);
+}
+
+StudyScene load_view(const json& view, const StudySceneOptions& options) {
+  const std::filesystem::path folder = std::filesystem::path(options.views).parent_path();
+  const scene::Camera camera{vector_of(view.at("eye")), vector_of(view.at("target")), vector_of(view.at("up")),
+                             view.at("fov")};
+  return look_at(view.at("name"), scene::load((folder / view.at("file").get<std::string>()).string()), camera,
+                 view.at("radii"), options);
+}
+
+// Calls `read` with the list of scenes in the file.
+template <typename Read>
+auto read_views(const std::string& path, const Read& read) {
+  std::ifstream file(path);
+  if (!file) throw std::runtime_error(fmt::format("{}: cannot be read", path));
+  try {
+    return read(json::parse(file).at("scenes"));
+  } catch (const json::exception& error) {
+    throw std::runtime_error(fmt::format("{}: {}", path, error.what()));
+  }
+}
+
+std::vector<std::string> names_in(const json& views) {
+  std::vector<std::string> names;
+  for (const json& view : views) names.push_back(view.at("name"));
+  return names;
+}
+
+std::vector<StudyScene> load_views(const StudySceneOptions& options) {
+  return read_views(options.views, [&](const json& views) {
+    std::vector<StudyScene> scenes;
+    for (const std::string& name : options.names.empty() ? names_in(views) : options.names) {
+      const auto view = std::find_if(views.begin(), views.end(), [&](const json& v) { return v.at("name") == name; });
+      if (view == views.end()) throw std::runtime_error(fmt::format("{}: has no scene '{}'", options.views, name));
+      scenes.push_back(load_view(*view, options));
+    }
+    return scenes;
+  });
+}
+
+}  // namespace
+
+std::vector<std::string> study_scene_names(const StudySceneOptions& options) {
+  if (!options.names.empty()) return options.names;
+  if (options.views.empty()) return {"atrium", "city"};
+  return read_views(options.views, names_in);
+}
+
+std::vector<StudyScene> load_study_scenes(const StudySceneOptions& options) {
+  if (!options.views.empty()) return load_views(options);
+  std::vector<StudyScene> scenes;
+  for (const std::string& name : study_scene_names(options)) scenes.push_back(load_builtin(name, options));
+  return scenes;
+}
+
+}  // namespace lkao::bench

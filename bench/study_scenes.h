@@ -1,0 +1,36 @@
+// Scenes that a study runs on: a mesh, what a camera sees of it, and AO radii.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "lkao/lkao.h"
+#include "scene/mesh.h"
+
+namespace lkao::bench {
+
+struct StudyScene {
+  std::string name;
+  scene::Mesh mesh;
+  std::vector<Receiver> receivers;
+  std::vector<float> radii;
+  std::vector<std::uint32_t> pixels;  // pixel number (row * width + column) of each receiver
+};
+
+// What to load, and how many pixels wide and high the receivers' image is.
+struct StudySceneOptions {
+  // A file like views.json of the shared scenes: mesh files relative to it, cameras, radii. Empty: built-in scenes.
+  std::string views;
+  std::vector<std::string> names;  // empty: all of the file, or atrium and city
+  int width = 32;
+  int height = 24;
+};
+
+// Throws std::runtime_error or std::invalid_argument with one line that names the file or scene and the fault.
+std::vector<StudyScene> load_study_scenes(const StudySceneOptions& options);
+
+// What load_study_scenes loads, by name: for programs that hold one scene at a time. Errors as above.
+std::vector<std::string> study_scene_names(const StudySceneOptions& options);
+
+}  // namespace lkao::bench
