@@ -237,11 +237,7 @@ void print_generation_times() {
   fmt::print("\n");
 }
 
-void run(const Options& options) {
-  if (!options.image.empty()) {
-    image::write_image(options.image, pattern_image(options.image_scene));
-    return;
-  }
+void study(const Options& options) {
   const Rows rows = measure(options);
   if (!options.csv.empty()) write_csv(options.csv, rows);
   for (const Falloff& falloff : study_falloffs()) print_kinds(rows, falloff.name());
@@ -251,11 +247,7 @@ void run(const Options& options) {
   print_generation_times();
 }
 
-}  // namespace
-}  // namespace lkao::bench
-
-int main(int argc, char** argv) {
-  using lkao::bench::Options;
+int run(int argc, char** argv) {
   Options options;
   options.scenes.width = 1024;
   options.scenes.height = 768;
@@ -268,15 +260,30 @@ int main(int argc, char** argv) {
   app.add_option("--csv", options.csv, "where to write every figure");
   app.add_option("--image", options.image, "only write a picture of every pattern at work (.png, .exr)");
   app.add_option("--image-scene", options.image_scene, "built-in scene of the picture");
-  CLI11_PARSE(app, argc, argv);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& request) {  // --help
+    return app.exit(request);
+  }
   if (options.scenes.views.empty() && options.scenes.names.empty()) {
     options.scenes.names = {"atrium", "city", "hairball", "wall", "sphere"};
   }
+  if (options.image.empty()) {
+    study(options);
+  } else {
+    image::write_image(options.image, pattern_image(options.image_scene));
+  }
+  return 0;
+}
+
+}  // namespace
+}  // namespace lkao::bench
+
+int main(int argc, char** argv) {
   try {
-    lkao::bench::run(options);
-    return 0;
+    return lkao::bench::run(argc, argv);
   } catch (const std::exception& error) {
-    fmt::print(stderr, "lkao_bench_patterns: {}\n", error.what());
+    std::fprintf(stderr, "lkao_bench_patterns: %s\n", error.what());
     return 2;
   }
 }

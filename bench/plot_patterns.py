@@ -54,7 +54,7 @@ def main():
     panels[0][0].set_ylabel("RMSE, geometric mean over scenes")
     panels[0][0].legend()
     figure.tight_layout()
-    figure.savefig(sys.argv[2], dpi=110)
+    figure.savefig(sys.argv[2], dpi=80)
 
 
 if __name__ == "__main__":

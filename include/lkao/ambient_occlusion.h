@@ -47,9 +47,10 @@ enum class Sidedness {
 struct Jitter {
   // Rotation about the normal, drawn evenly from [0, rotation) turns; in [0, 1].
   float rotation = 1.0f;
-  // Largest tilt of the pattern's axis, in radians; in [0, pi/2]. Never more than would bring the lowest ray
-  // to the horizon (SamplePattern::lowest_elevation), whatever is asked.
-  float tilt = 0.02f;
+  // Largest tilt of the pattern's axis, in radians; in [0, pi/2]. None by default: with a whole turn of rotation it
+  // hides no more structure and costs accuracy (lut/README.md). Never more than would bring the lowest ray to the
+  // horizon (SamplePattern::lowest_elevation), whatever is asked.
+  float tilt = 0.0f;
 };
 
 // What answers a query; the bits are the same.
@@ -61,7 +62,7 @@ enum class Kernel {
 // How the table kernel finds the rays that may meet a node (Laine & Karras 2010, Sec. 5).
 enum class NodeMasks {
   bounding_sphere,  // one or two look-ups (Figure 4)
-  box_outline,      // tighter: a look-up for each edge of the box's outline and each face seen
+  box_outline,      // tighter, faster on CPUs: a look-up for each edge of the box's outline and each face seen
 };
 
 struct QueryOptions {
@@ -78,7 +79,7 @@ struct QueryOptions {
   // Only for queries without a plane mask table.
   Kernel kernel = Kernel::simd;
   // Only for queries with a plane mask table.
-  NodeMasks node_masks = NodeMasks::bounding_sphere;
+  NodeMasks node_masks = NodeMasks::box_outline;
 };
 
 // The rays that a receiver casts, in world space: segments from `origin` to `origin + ray(i)`.

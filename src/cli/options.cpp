@@ -73,7 +73,6 @@ AmbientOcclusion make_query(const OccluderBvh& occluders, const OcclusionOptions
   query.sidedness = options.sidedness;
   query.seed = options.seed;
   query.kernel = options.kernel == KernelChoice::scalar ? Kernel::scalar : Kernel::simd;
-  query.node_masks = NodeMasks::box_outline;
   const SamplePattern pattern = make_pattern(options);
   if (options.kernel == KernelChoice::table || options.kernel == KernelChoice::nearest) {
     PlaneMaskTableOptions table;

@@ -70,7 +70,7 @@ glm::dvec2 disk_to_square(const glm::dvec2& p) {
 
 // A (0, m, 2)-net: every box of area 1/N with sides that are powers of two holds one point, and scrambling keeps that.
 TEST(PatternKind, SobolIsANet) {
-  for (std::uint64_t seed : {0, 1, 2}) {
+  for (std::uint64_t seed = 0; seed < 3; ++seed) {
     const std::vector<glm::dvec2> points = lut::sobol_points(256, seed);
     for (int split = 0; split <= 8; ++split) {
       std::set<std::pair<int, int>> boxes;

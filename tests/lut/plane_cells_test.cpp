@@ -41,7 +41,7 @@ INSTANTIATE_TEST_SUITE_P(All, PlaneCellsOf,
                                           testing::Values(32, 33, 64, 128)));
 
 // The address is computed in float: its rounding is far below kPlaneMargin.
-constexpr double kAddressRounding = 3e-6;
+constexpr double kAddressRounding = 1.5e-6;
 
 testing::AssertionResult holds(const PlaneCell& cell, const Plane& plane) {
   if (!cell.is_used) return testing::AssertionFailure() << "the cell is unused";

@@ -180,8 +180,9 @@ TEST_P(SamplePatternOfCount, MixesLengthsAmongNeighbours) {
 TEST_P(SamplePatternOfCount, StratifiesLengthsAgainstElevation) {
   const SamplePattern linear = pattern().with_falloff(Falloff::linear());
   double sum2 = 0;
-  int height_count = 0;
-  for (double h = 0.02; h < 1; h += 0.01, ++height_count) {
+  constexpr int kHeightCount = 98;
+  for (int place = 0; place < kHeightCount; ++place) {
+    const double h = 0.02 + 0.01 * place;
     int blocked_count = 0;
     for (std::size_t i = 0; i < linear.lengths().size(); ++i) {
       blocked_count += static_cast<double>(linear.lengths()[i] * linear.directions()[i].z) >= h;
@@ -189,16 +190,17 @@ TEST_P(SamplePatternOfCount, StratifiesLengthsAgainstElevation) {
     const double error = static_cast<double>(blocked_count) / GetParam() - (1 - h) * (1 - h);
     sum2 += error * error;
   }
-  EXPECT_LT(std::sqrt(sum2 / height_count), 0.5 * std::pow(GetParam(), -0.75));
+  EXPECT_LT(std::sqrt(sum2 / kHeightCount), 0.5 * std::pow(GetParam(), -0.75));
 }
 
 // RMS difference between the rays in a half disk that are longer than some length, and those due.
 double half_disk_length_error(const SamplePattern& linear) {
   double sum2 = 0;
-  int region_count = 0;
-  for (int turn = 0; turn < 60; ++turn) {
-    const double angle = turn * 2.0 * std::numbers::pi / 60;
-    for (double length = 0.1; length < 0.95; length += 0.1, ++region_count) {
+  constexpr int kTurns = 60, kPlaces = 9;
+  for (int turn = 0; turn < kTurns; ++turn) {
+    const double angle = turn * 2.0 * std::numbers::pi / kTurns;
+    for (int place = 1; place <= kPlaces; ++place) {
+      const double length = place / 10.0;
       int count = 0;
       for (std::size_t i = 0; i < linear.lengths().size(); ++i) {
         const glm::vec2& p = linear.disk()[i];
@@ -208,7 +210,7 @@ double half_disk_length_error(const SamplePattern& linear) {
       sum2 += error * error;
     }
   }
-  return std::sqrt(sum2 / region_count);
+  return std::sqrt(sum2 / (kTurns * kPlaces));
 }
 
 TEST_P(SamplePatternOfCount, StratifiesLengthsAgainstDirections) {
