@@ -1,26 +1,16 @@
 #include "embree_modes.h"
 
 #include <algorithm>
-#include <bit>
 #include <cstddef>
 
 #include <fmt/format.h>
+
+#include "reference/cast_rays.h"
 
 namespace lkao::bench {
 namespace {
 
 void set_bit(std::uint64_t* words, int bit) { words[bit / 64] |= std::uint64_t{1} << (bit % 64); }
-
-// Calls `visit(ray)` for every ray to cast, in the order of the pattern.
-template <typename Visit>
-void for_each_ray(const ReceiverRays& rays, const Visit& visit) {
-  for (int word = 0; word < OcclusionMask::kMaxWordCount; ++word) {
-    for (std::uint64_t left = rays.cast.words[word]; left != 0; left &= left - 1) {
-      const int ray = word * 64 + std::countr_zero(left);
-      if (rays.ray(ray) != glm::vec3(0)) visit(ray);
-    }
-  }
-}
 
 template <int kWidth>
 struct Api;
@@ -86,7 +76,7 @@ class Packet {
 // Casts the rays of one receiver; `words` is its mask.
 void cast_singly(const ReceiverRays& rays, RTCScene scene, RTCIntersectContext& context, std::uint64_t* words) {
   const glm::vec3& origin = rays.origin;
-  for_each_ray(rays, [&](int number) {
+  reference::for_each_cast_ray(rays, [&](int number) {
     const glm::vec3 segment = rays.ray(number);
     RTCRay ray{origin.x, origin.y, origin.z, 0, segment.x, segment.y, segment.z, 0, 1, ~0u, 0, 0};
     rtcOccluded1(scene, &context, &ray);
@@ -109,7 +99,7 @@ void cast_packets(const ReceiverRays& rays, RTCScene scene, RTCIntersectContext&
     packet.clear();
     size = 0;
   };
-  for_each_ray(rays, [&](int ray) {
+  reference::for_each_cast_ray(rays, [&](int ray) {
     packet.aim(size, rays.ray(ray));
     numbers[size++] = ray;
     if (size == kWidth) cast_packet();

@@ -1,26 +1,14 @@
 #include "reference/embree_reference.h"
 
-#include <bit>
 #include <new>
 
 #include "query/answer.h"
 #include "query/batch.h"
+#include "reference/cast_rays.h"
 #include "reference/embree_scene.h"
 
 namespace lkao::reference {
 namespace {
-
-// Calls `visit(ray)` for every ray that Embree is to cast, in the order of the pattern.
-template <typename Visit>
-void for_each_ray(const ReceiverRays& rays, const Visit& visit) {
-  for (int word = 0; word < OcclusionMask::kMaxWordCount; ++word) {
-    for (std::uint64_t left = rays.cast.words[word]; left != 0; left &= left - 1) {
-      const int ray = word * 64 + std::countr_zero(left);
-      // A ray without length meets nothing, since segments are open at the receiver. Embree has no say in it.
-      if (rays.ray(ray) != glm::vec3(0)) visit(ray);
-    }
-  }
-}
 
 // Up to 16 rays from one origin.
 class Packet {
@@ -71,7 +59,7 @@ class Packet {
 OcclusionMask cast_packets(const ReceiverRays& rays, RTCScene scene, RTCIntersectContext& context) {
   OcclusionMask blocked;
   Packet packet(rays.origin);
-  for_each_ray(rays, [&](int ray) {
+  for_each_cast_ray(rays, [&](int ray) {
     packet.add(ray, rays.ray(ray));
     if (packet.full()) packet.cast(scene, context, blocked);
   });
@@ -82,7 +70,7 @@ OcclusionMask cast_packets(const ReceiverRays& rays, RTCScene scene, RTCIntersec
 OcclusionMask cast_single_rays(const ReceiverRays& rays, RTCScene scene, RTCIntersectContext& context) {
   OcclusionMask blocked;
   const glm::vec3& origin = rays.origin;
-  for_each_ray(rays, [&](int number) {
+  for_each_cast_ray(rays, [&](int number) {
     const glm::vec3 segment = rays.ray(number);
     RTCRay ray{origin.x, origin.y, origin.z, 0, segment.x, segment.y, segment.z, 0, 1, ~0u, 0, 0};
     rtcOccluded1(scene, &context, &ray);
