@@ -28,8 +28,9 @@ struct BoxRay {
 // The slab test over the segment's parameter range [0, 1]. Difference, reciprocal and product round once each, so each
 // parameter is within 3 x 2^-24 of the truth; the test grants both ends of the overlap more than that. A ray that runs
 // within the plane of a face misses the box: the boxes of nodes are a step larger than what they hold (layout.h).
+inline constexpr float kBoxSlack = 1.0f + 0x1p-20f;
+
 inline bool may_meet(const BoxRay& ray, const glm::vec3& origin, const Bounds& box) {
-  constexpr float kSlack = 1.0f + 0x1p-20f;
   float enter = 0.0f, leave = 1.0f;
   for (int axis = 0; axis < 3; ++axis) {
     const float at_lower = (box.lower[axis] - origin[axis]) * ray.reciprocal[axis];
@@ -37,7 +38,7 @@ inline bool may_meet(const BoxRay& ray, const glm::vec3& origin, const Bounds& b
     enter = std::max(enter, std::min(at_lower, at_upper));
     leave = std::min(leave, std::max(at_lower, at_upper));
   }
-  return enter <= leave * kSlack;
+  return enter <= leave * kBoxSlack;
 }
 
 // True where the box lies outside the sphere of `radius` around `origin`, or wholly below the horizon of `up` there

@@ -9,7 +9,9 @@
 #include <embree3/rtcore.h>
 #include <fmt/format.h>
 #include <glm/common.hpp>
+#include <tbb/parallel_for.h>
 
+#include "bvh/leaf.h"
 #include "bvh/triangle_clip.h"
 #include "bvh/zero_area.h"
 #include "lkao/ambient_occlusion.h"
@@ -25,7 +27,7 @@ struct BuildNode {
   std::uint32_t count;  // of children or triangles
   void* children[kWidth];
   Bounds bounds[kWidth];  // of the children
-  std::uint32_t primitives[kWidth];
+  std::uint32_t primitives[kLeafWidth];
 };
 
 void* create_node(RTCThreadLocalAllocator allocator, unsigned child_count, void*) {
@@ -127,9 +129,11 @@ class Builder {
     primitives.resize(options.spatial_splits ? count * 2 : count);
     arguments.buildQuality = options.spatial_splits ? RTC_BUILD_QUALITY_HIGH : RTC_BUILD_QUALITY_MEDIUM;
     arguments.maxBranchingFactor = kWidth;
-    arguments.maxDepth = 64;
-    arguments.maxLeafSize = kWidth;
-    arguments.sahBlockSize = 8;
+    arguments.maxDepth = kMaxDepth;
+    // Full leaves: a vector of 4 triangles costs the same, whether it holds 1 or 4.
+    arguments.minLeafSize = kLeafWidth;
+    arguments.maxLeafSize = kLeafWidth;
+    arguments.sahBlockSize = kLeafWidth;
     arguments.bvh = bvh_;
     arguments.primitives = primitives.data();
     arguments.primitiveCount = count;
@@ -156,8 +160,14 @@ class Builder {
 // Fills the layout depth first, children behind their parent.
 class Flattener {
  public:
-  Flattener(const TriangleMesh& mesh, Layout& layout) : mesh_(mesh), layout_(layout) {}
+  explicit Flattener(Layout& layout) : layout_(layout) {}
 
+  void flatten(const BuildNode& root) {
+    add_root(root);
+    fill_leaves();
+  }
+
+ private:
   // The root is a node even over a single leaf.
   void add_root(const BuildNode& root) {
     if (!root.is_leaf) {
@@ -168,7 +178,13 @@ class Flattener {
     set_child(0, 0, layout_.bounds, add_leaf(root));
   }
 
- private:
+  void fill_leaves() {
+    layout_.leaves.resize(leaves_.size());
+    tbb::parallel_for(std::size_t{0}, leaves_.size(), [&](std::size_t i) {
+      layout_.leaves[i] = make_leaf(layout_, {leaves_[i]->primitives, leaves_[i]->count});
+    });
+  }
+
   ChildRef add(const BuildNode& source) { return source.is_leaf ? add_leaf(source) : ChildRef::node(add_node(source)); }
 
   std::uint32_t add_node(const BuildNode& source) {
@@ -182,24 +198,14 @@ class Flattener {
   }
 
   ChildRef add_leaf(const BuildNode& source) {
-    Leaf leaf{};
-    std::fill_n(leaf.primitives, kWidth, kNoPrimitive);
-    for (std::uint32_t i = 0; i < source.count; ++i) {
-      leaf.primitives[i] = source.primitives[i];
-      const glm::uvec3& t = mesh_.triangles[source.primitives[i]];
-      for (int k = 0; k < 3; ++k) {
-        for (int axis = 0; axis < 3; ++axis) leaf.corners[k][axis][i] = mesh_.positions[t[k]][axis];
-      }
-    }
     layout_.report.reference_count += source.count;
-    layout_.leaves.push_back(leaf);
-    return ChildRef::leaf(static_cast<std::uint32_t>(layout_.leaves.size() - 1));
+    leaves_.push_back(&source);
+    return ChildRef::leaf(static_cast<std::uint32_t>(leaves_.size() - 1));
   }
 
   static Node empty_node() {
     Node node;
-    std::fill_n(&node.lower[0][0], 3 * kWidth, kInfinity);
-    std::fill_n(&node.upper[0][0], 3 * kWidth, -kInfinity);
+    std::fill_n(&node.faces[0][0][0], 2 * 3 * kWidth, kInfinity);
     std::fill_n(node.children, kWidth, ChildRef::none());
     return node;
   }
@@ -209,15 +215,20 @@ class Flattener {
     constexpr float kTiny = std::numeric_limits<float>::min();
     for (int axis = 0; axis < 3; ++axis) {
       const float lower = bounds.lower[axis], upper = bounds.upper[axis];
-      layout_.nodes[node].lower[axis][child] = std::min(std::nextafter(lower, -kInfinity), lower - kTiny);
-      layout_.nodes[node].upper[axis][child] = std::max(std::nextafter(upper, kInfinity), upper + kTiny);
+      layout_.nodes[node].faces[0][axis][child] = std::min(std::nextafter(lower, -kInfinity), lower - kTiny);
+      layout_.nodes[node].faces[1][axis][child] = std::max(std::nextafter(upper, kInfinity), upper + kTiny);
     }
     layout_.nodes[node].children[child] = ref;
   }
 
-  const TriangleMesh& mesh_;
   Layout& layout_;
+  std::vector<const BuildNode*> leaves_;  // as layout_.leaves will be
 };
+
+template <typename Vector>
+std::size_t size_in_bytes(const Vector& values) {
+  return values.size() * sizeof(values[0]);
+}
 
 }  // namespace
 
@@ -228,12 +239,14 @@ std::shared_ptr<const Layout> build(const TriangleMesh& mesh, const BuildOptions
   std::vector<RTCBuildPrimitive> primitives = collect_occluders(mesh, *layout);
   if (!primitives.empty()) {
     Builder builder;
-    Flattener(mesh, *layout).add_root(builder.build(mesh, options, primitives));
+    layout->positions.assign(mesh.positions.begin(), mesh.positions.end());
+    layout->triangles.assign(mesh.triangles.begin(), mesh.triangles.end());
+    Flattener(*layout).flatten(builder.build(mesh, options, primitives));
   }
   layout->nodes.shrink_to_fit();
-  layout->leaves.shrink_to_fit();
   layout->report.node_count = layout->nodes.size();
-  layout->report.memory_bytes = layout->nodes.size() * sizeof(Node) + layout->leaves.size() * sizeof(Leaf);
+  layout->report.memory_bytes = size_in_bytes(layout->nodes) + size_in_bytes(layout->leaves) +
+                               size_in_bytes(layout->positions) + size_in_bytes(layout->triangles);
   layout->report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return layout;
 }

@@ -1,5 +1,5 @@
-// The finished hierarchy in memory: 8-wide nodes over leaves of at most 8 triangles, both as structures of arrays, so
-// that one vector instruction sees the same field of 8 children or 8 triangles.
+// The finished hierarchy in memory: 8-wide nodes over leaves of at most 4 triangles, both as structures of arrays, so
+// that one vector instruction sees the same field of 8 children or 4 triangles.
 #pragma once
 
 #include <cstdint>
@@ -7,11 +7,15 @@
 
 #include <glm/vec3.hpp>
 
+#include "bvh/huge_pages.h"
 #include "lkao/occluder_bvh.h"
 
 namespace lkao::bvh {
 
 inline constexpr int kWidth = 8;
+inline constexpr int kLeafWidth = 4;
+// No leaf is farther from the root.
+inline constexpr int kMaxDepth = 64;
 
 // Names a child of a node: nothing, a node, or a leaf. Without a value until one is given.
 class ChildRef {
@@ -26,41 +30,58 @@ class ChildRef {
   // Into Layout::nodes or Layout::leaves.
   constexpr std::uint32_t index() const { return bits_ & ~kLeafBit; }
 
- private:
+  // For vectors of them: index() with kLeafBit where it is a leaf.
   static constexpr std::uint32_t kLeafBit = 0x80000000u;
+  constexpr std::uint32_t bits() const { return bits_; }
+
+ private:
   static constexpr std::uint32_t kEmpty = 0xffffffffu;
   explicit constexpr ChildRef(std::uint32_t bits) : bits_(bits) {}
   std::uint32_t bits_;
 };
 
-// Children fill the node from the front. The box of an empty child is inverted (lower > upper). Every face is a step of
+// Children fill the node from the front. The box of an empty child is a point at infinity, which no ray meets. Every face is a step of
 // float outside what the box holds: a ray that runs within the plane of what it holds is then strictly between the
 // faces, and the slab test never multiplies 0 by the reciprocal of 0.
 struct alignas(64) Node {
-  float lower[3][kWidth];  // by axis, then child
-  float upper[3][kWidth];
+  float faces[2][3][kWidth];  // lower and upper, by axis, then child
   ChildRef children[kWidth];
 
+  const std::uint32_t* child_bits() const { return reinterpret_cast<const std::uint32_t*>(children); }
   Bounds child_bounds(int child) const {
-    return {{lower[0][child], lower[1][child], lower[2][child]}, {upper[0][child], upper[1][child], upper[2][child]}};
+    return {{faces[0][0][child], faces[0][1][child], faces[0][2][child]},
+            {faces[1][0][child], faces[1][1][child], faces[1][2][child]}};
   }
 };
 
-// Triangles fill the leaf from the front; the rest have kNoPrimitive and block nothing.
-struct alignas(64) Leaf {
-  float corners[3][3][kWidth];  // by corner, axis, then triangle
-  std::uint32_t primitives[kWidth];
+// What decides about rays and up to 4 triangles in single precision, from a receiver anywhere: see make_leaf. Triangles
+// fill the leaf from the front; the places that are left repeat the first.
+struct alignas(32) Leaf {
+  float vertex[3][kLeafWidth];        // one corner, the origin of the triangle's frame; by axis, then triangle
+  float u_gradient[3][kLeafWidth];    // of the first barycentric coordinate, which is 0 at `vertex`
+  float v_gradient[3][kLeafWidth];    // of the second
+  float back_normal[3][kLeafWidth];   // unit vector to the side that the triangle does not face
+  float steepness[kLeafWidth];        // largest component of the gradients; infinite: leave it to TriangleTest
+  std::uint32_t primitives[kLeafWidth];
 
-  glm::vec3 corner(int triangle, int which) const {
-    return {corners[which][0][triangle], corners[which][1][triangle], corners[which][2][triangle]};
+  int triangle_count() const {
+    int count = 1;
+    while (count < kLeafWidth && primitives[count] != primitives[0]) ++count;
+    return count;
   }
 };
 
 struct Layout {
-  std::vector<Node> nodes;  // the root is nodes[0]; none where there is no occluder
-  std::vector<Leaf> leaves;
+  std::vector<Node, HugePageAllocator<Node>> nodes;  // the root is nodes[0]; none where there is no occluder
+  std::vector<Leaf, HugePageAllocator<Leaf>> leaves;
+  // The mesh, for TriangleTest.
+  std::vector<glm::vec3> positions;
+  std::vector<glm::uvec3> triangles;
   Bounds bounds;
   BuildReport report;
+
+  // Corner 0, 1 or 2 of a triangle.
+  const glm::vec3& corner(std::uint32_t primitive, int which) const { return positions[triangles[primitive][which]]; }
 };
 
 }  // namespace lkao::bvh

@@ -9,7 +9,8 @@ namespace {
 
 class ScalarKernel {
  public:
-  explicit ScalarKernel(const Query& query) : query_(query), word_count_(query.rays.ray_count / 64) {
+  ScalarKernel(const Layout& layout, const Query& query)
+      : layout_(layout), query_(query), word_count_(query.rays.ray_count / 64) {
     for (int i = 0; i < query.rays.ray_count; ++i) box_rays_[i] = BoxRay(query.rays.ray(i));
   }
 
@@ -21,10 +22,9 @@ class ScalarKernel {
     return met;
   }
 
-  OcclusionMask triangle_mask(const Leaf& leaf, int triangle, const OcclusionMask& mask) const {
+  OcclusionMask triangle_mask(std::uint32_t primitive, const OcclusionMask& mask) const {
     OcclusionMask blocked;
-    const TriangleTest test(leaf.corner(triangle, 0), leaf.corner(triangle, 1), leaf.corner(triangle, 2),
-                            query_.rays.origin, query_.radius, query_.sidedness);
+    const TriangleTest test = make_test(layout_, primitive, query_);
     if (!test.can_block()) return blocked;
     for_each_ray(mask, word_count_, [&](int ray) {
       if (test.blocks(query_.rays.ray(ray))) blocked.set(ray);
@@ -33,6 +33,7 @@ class ScalarKernel {
   }
 
  private:
+  const Layout& layout_;
   const Query& query_;
   int word_count_;
   BoxRay box_rays_[kMaxRayCount];
@@ -41,7 +42,7 @@ class ScalarKernel {
 }  // namespace
 
 OcclusionMask trace_scalar(const Layout& layout, const Query& query) {
-  ScalarKernel kernel(query);
+  ScalarKernel kernel(layout, query);
   return Traversal(layout, query, kernel).run();
 }
 

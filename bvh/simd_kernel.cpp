@@ -1,12 +1,15 @@
 // Compiled once for every SIMD target (Highway); the fastest that the processor has is chosen at run time.
 //
-// Wide phase: nodes are visited with a mask of all rays, tested 16 at a time (a chunk: neighbours in the pattern).
-// Narrow phase: once at most 16 rays may meet a child they are packed into one packet, which finishes that subtree.
+// Wide phase: nodes are visited with a mask of all rays, tested 16 at a time (a chunk: neighbours in the pattern). Where
+// the active rays are thinly spread over their chunks they are packed densely before they go on.
+// Stream: children that few rays may meet are put aside, and answered ray by ray once all of them are known.
 //
 // Differs from the paper (see traversal.h): masks come from box and plane tests of the rays in single precision. They
 // are conservative; a ray within their rounding of a triangle's planes is decided by TriangleTest. So every target
 // gives the bits of the scalar kernel, whether it fuses multiply-adds or not.
 #include "bvh/simd_kernel.h"
+
+#include <algorithm>
 
 #include "bvh/triangle_test.h"
 
@@ -14,178 +17,115 @@
 #define HWY_TARGET_INCLUDE "bvh/simd_kernel.cpp"
 #include <hwy/foreach_target.h>
 
-#include <hwy/cache_control.h>
 #include <hwy/highway.h>
 
 #include "bvh/simd/box_masks-inl.h"
-#include "bvh/simd/leaf_planes-inl.h"
-#include "bvh/simd/ray_lanes-inl.h"
+#include "bvh/simd/leaf_frames-inl.h"
+#include "bvh/simd/ray_sets-inl.h"
+#include "bvh/simd/ray_stream-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace lkao::bvh::HWY_NAMESPACE {
 namespace {
 
-// Embree's builder is told not to go deeper.
-constexpr int kMaxDepth = 64;
-// Up to so many rays, a vector of boxes for each ray beats a vector of rays for each box.
-constexpr int kFewRays = 6;
+#ifndef T_FEW
+#define T_FEW 16
+#endif
+#ifndef T_LEAF
+#define T_LEAF 3
+#endif
+// A child goes to the stream if it meets no more rays than this, a leaf if it meets no more in a chunk on average.
+constexpr int kFewRays = T_FEW, kFewRaysPerChunk = T_LEAF;
 
 class SimdTraversal {
  public:
   SimdTraversal(const Layout& layout, const Query& query)
-      : layout_(layout), query_(query), chunk_count_(query.rays.ray_count / kLaneCount), open_(query.rays.cast) {
-    load_rays(query.rays, rays_);
-  }
+      : layout_(layout),
+        query_(query),
+        near_(0x1p-22f * largest_extent(layout.bounds)),
+        rays_(query.rays),
+        stream_(layout, query, rays_, near_) {}
 
   OcclusionMask run() {
-    if (!layout_.nodes.empty() && query_.rays.cast.any()) visit(layout_.nodes[0], ActiveChunks(open_, chunk_count_));
-    return query_.rays.cast & ~open_.mask();
+    if (!layout_.nodes.empty()) {
+      visit(layout_.nodes[0], rays_.all(), ActiveChunks(rays_.all(), query_.rays.ray_count / kLaneCount));
+    }
+    stream_.run();
+    return query_.rays.cast & ~rays_.open_mask();
   }
 
  private:
-  // --- Wide phase ---
+  static float largest_extent(const Bounds& bounds) {
+    const glm::vec3 size = bounds.upper - bounds.lower;
+    return std::max(size.x, std::max(size.y, size.z));
+  }
 
-  // `active`: the open rays that may meet the node.
-  void visit(const Node& node, const ActiveChunks& active) {
+  // `active`: the open rays of the set that may meet the node.
+  void visit(const Node& node, const RaySet& set, const ActiveChunks& active) {
     const RelativeBoxes boxes(node, query_.rays.origin);
-    ActiveChunks child_rays[kWidth];
-    int order[kWidth], child_count = 0;
+    const int padded_count = active.padded_count();
+    alignas(8) std::uint16_t met[kWidth][kMaxChunkCount];  // by child, then chunk of `active`
+    int ray_counts[kWidth], order[kWidth], child_count = 0;
     for (std::uint32_t children = boxes.within_reach(query_.up, query_.radius); children != 0;
          children &= children - 1) {
       const int child = std::countr_zero(children);
-      ActiveChunks& met = child_rays[child];
-      for (int i = 0; i < active.count; ++i) {
-        const int chunk = active.chunks[i];
-        met.add(chunk, active.masks[i] & boxes.rays_meeting(child, rays_.at(chunk * kLaneCount)));
-      }
-      if (met.count == 0) continue;
-      int place = child_count++;
-      for (; place > 0 && child_rays[order[place - 1]].ray_count < met.ray_count; --place)
-        order[place] = order[place - 1];
-      order[place] = child;
-    }
-    for (int i = 0; i < child_count; ++i) visit(node.children[order[i]], child_rays[order[i]].open_ones(open_));
-  }
-
-  void visit(ChildRef child, const ActiveChunks& active) {
-    if (active.ray_count == 0) return;
-    if (active.ray_count <= kLaneCount) {
-      trace_packet(child, active);
-    } else if (child.is_leaf()) {
-      visit(layout_.leaves[child.index()], active);
-    } else {
-      visit(layout_.nodes[child.index()], active);
-    }
-  }
-
-  void visit(const Leaf& leaf, const ActiveChunks& active) {
-    const LeafPlanes planes(leaf, query_);
-    for (std::uint32_t triangles = planes.survivors(); triangles != 0; triangles &= triangles - 1) {
-      const int triangle = std::countr_zero(triangles);
-      for (int i = 0; i < active.count; ++i) {
-        const int chunk = active.chunks[i];
-        const std::uint32_t mask = active.masks[i] & open_.chunks[chunk];
-        if (mask == 0) continue;
-        const std::uint32_t blocked = blocked_lanes(leaf, planes, triangle, rays_.at(chunk * kLaneCount), mask);
-        open_.chunks[chunk] &= static_cast<std::uint16_t>(~blocked);
-      }
-    }
-  }
-
-  // --- Narrow phase ---
-
-  // Finishes the subtree for at most 16 rays.
-  void trace_packet(ChildRef root, const ActiveChunks& active) {
-    Packet packet;
-    packet.gather(rays_, active);
-    std::uint32_t open = (1u << packet.count) - 1;
-    struct Entry {
-      ChildRef child;
-      std::uint32_t lanes;
-    };
-    Entry stack[kWidth * kMaxDepth];
-    int size = 0;
-    stack[size++] = {root, open};
-    while (size > 0 && open != 0) {
-      const Entry entry = stack[--size];
-      const std::uint32_t lanes = entry.lanes & open;
-      if (lanes == 0) continue;
-      if (entry.child.is_leaf()) {
-        open &= ~blocked_in_leaf(layout_.leaves[entry.child.index()], packet, lanes);
-        continue;
-      }
-      std::uint32_t child_lanes[kWidth];
-      const Node& node = layout_.nodes[entry.child.index()];
-      for (std::uint32_t met = meet_children(node, packet, lanes, child_lanes); met != 0; met &= met - 1) {
-        const int child = std::countr_zero(met);
-        prefetch(node.children[child]);
-        stack[size++] = {node.children[child], child_lanes[child]};
-      }
-    }
-    packet.close_blocked(open, open_);
-  }
-
-  // Children that some lane may meet, and the lanes for each of them. Few rays are tested one by one against all boxes,
-  // many against one box at a time.
-  HWY_INLINE std::uint32_t meet_children(const Node& node, const Packet& packet, std::uint32_t lanes,
-                                         std::uint32_t (&child_lanes)[kWidth]) const {
-    const RelativeBoxes boxes(node, query_.rays.origin);
-    std::uint32_t met = 0;
-    if (std::popcount(lanes) <= kFewRays) {
-      for (std::uint32_t& child : child_lanes) child = 0;
-      for (; lanes != 0; lanes &= lanes - 1) {
-        const int lane = std::countr_zero(lanes);
-        const std::uint32_t children =
-            boxes.children_met(packet.inverse_x[lane], packet.inverse_y[lane], packet.inverse_z[lane]);
-        met |= children;
-        for (std::uint32_t rest = children; rest != 0; rest &= rest - 1) {
-          child_lanes[std::countr_zero(rest)] |= 1u << lane;
+      for (int i = 0; i < padded_count; i += kChunkStep) {
+        for (int k = i; k < i + kChunkStep; ++k) {
+          met[child][k] = static_cast<std::uint16_t>(active.masks[k] &
+                                                     boxes.rays_meeting(child, set.from(active.chunks[k])));
         }
       }
-      return met;
+      const int ray_count = ray_counts[child] = count_rays(met[child], padded_count);
+      int place = child_count++;
+      for (; place > 0 && ray_counts[order[place - 1]] < ray_count; --place) order[place] = order[place - 1];
+      order[place] = child;
     }
-    for (int i = 0; i < kWidth && !node.children[i].is_empty(); ++i) {
-      child_lanes[i] = lanes & boxes.rays_meeting(i, packet.lanes());
-      met |= static_cast<std::uint32_t>(child_lanes[i] != 0) << i;
-    }
-    return met;
-  }
-
-  // Asks for the child's memory early: large scenes do not fit the caches.
-  HWY_INLINE void prefetch(ChildRef child) const {
-    const bool is_leaf = child.is_leaf();
-    const void* start =
-        is_leaf ? static_cast<const void*>(&layout_.leaves[child.index()]) : &layout_.nodes[child.index()];
-    const std::size_t size = is_leaf ? sizeof(Leaf) : sizeof(Node);
-    for (std::size_t offset = 0; offset < size; offset += 64) {
-      hwy::Prefetch(static_cast<const std::uint8_t*>(start) + offset);
+    for (int i = 0; i < child_count; ++i) {
+      const int child = order[i];
+      if (ray_counts[child] == 0) break;
+      visit(node.children[child], set, ActiveChunks(set, active, met[child]));
     }
   }
 
-  std::uint32_t blocked_in_leaf(const Leaf& leaf, const Packet& packet, std::uint32_t lanes) {
-    const LeafPlanes planes(leaf, query_);
-    std::uint32_t blocked = 0;
-    for (std::uint32_t triangles = planes.survivors(); triangles != 0; triangles &= triangles - 1) {
-      const int triangle = std::countr_zero(triangles);
-      blocked |= blocked_lanes(leaf, planes, triangle, packet.lanes(), lanes & ~blocked);
-      if (blocked == lanes) break;
+  void visit(ChildRef child, const RaySet& set, const ActiveChunks& active) {
+    const int ray_count = count_rays(active.masks, active.padded_count());
+    if (child.is_leaf()) {
+      if (ray_count <= kFewRaysPerChunk * active.count) {
+        stream_.push(child, set, active);
+      } else {
+        visit(layout_.leaves[child.index()], set, active);
+      }
+    } else if (ray_count <= kFewRays) {
+      stream_.push(child, set, active);
+    } else if (2 * RayPool::chunks_of(ray_count) <= active.count) {
+      const RaySet packed = rays_.pack(set, active, ray_count);
+      visit(layout_.nodes[child.index()], packed, ActiveChunks(packed, RayPool::chunks_of(ray_count)));
+      rays_.unpack(packed, ray_count);
+    } else {
+      visit(layout_.nodes[child.index()], set, active);
     }
-    return blocked;
   }
 
-  // --- Both ---
-
-  std::uint32_t blocked_lanes(const Leaf& leaf, const LeafPlanes& planes, int triangle, const RayLanes& rays,
-                              std::uint32_t mask) const {
-    const LaneBounds bounds = planes.blocked(triangle, rays, mask);
-    if (bounds.in_doubt == 0) return bounds.sure;
-    return bounds.sure | resolve(leaf, triangle, rays, bounds.in_doubt);
+  void visit(const Leaf& leaf, const RaySet& set, const ActiveChunks& active) {
+    const LeafFrames frames(layout_, leaf, query_, near_);
+    const LeafPlanes planes(frames);
+    for (int i = 0; i < active.count; ++i) {
+      const RaySet rays = set.from(active.chunks[i]);
+      std::uint32_t blocked = 0, in_doubt[kLeafWidth];
+      planes.test(rays, active.masks[i], blocked, in_doubt);
+      if (HWY_UNLIKELY((in_doubt[0] | in_doubt[1] | in_doubt[2] | in_doubt[3]) != 0)) {
+        for (int triangle = 0; triangle < kLeafWidth; ++triangle) {
+          const std::uint32_t lanes = in_doubt[triangle] & ~blocked;
+          if (lanes != 0) blocked |= resolve(leaf.primitives[triangle], rays, lanes);
+        }
+      }
+      *rays.open &= static_cast<std::uint16_t>(~blocked);
+    }
   }
 
   // The rays in doubt, one by one.
-  HWY_NOINLINE std::uint32_t resolve(const Leaf& leaf, int triangle, const RayLanes& rays, std::uint32_t lanes) const {
-    const TriangleTest test(leaf.corner(triangle, 0), leaf.corner(triangle, 1), leaf.corner(triangle, 2),
-                            query_.rays.origin, query_.radius, query_.sidedness);
+  HWY_NOINLINE std::uint32_t resolve(std::uint32_t primitive, const RaySet& rays, std::uint32_t lanes) const {
+    const TriangleTest test = make_test(layout_, primitive, query_);
     std::uint32_t blocked = 0;
     for (; test.can_block() && lanes != 0; lanes &= lanes - 1) {
       const int lane = std::countr_zero(lanes);
@@ -196,9 +136,9 @@ class SimdTraversal {
 
   const Layout& layout_;
   const Query& query_;
-  int chunk_count_;
-  RayArrays rays_;
-  ChunkMask open_;  // cast and not yet blocked
+  float near_;
+  RayPool rays_;
+  RayStream stream_;
 };
 
 OcclusionMask trace_simd(const Layout& layout, const Query& query) { return SimdTraversal(layout, query).run(); }

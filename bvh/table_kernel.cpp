@@ -10,8 +10,9 @@ namespace {
 
 class TableKernel {
  public:
-  TableKernel(const Query& query, const PlaneMaskTable& table, NodeMasks node_masks)
-      : query_(query),
+  TableKernel(const Layout& layout, const Query& query, const PlaneMaskTable& table, NodeMasks node_masks)
+      : layout_(layout),
+        query_(query),
         word_count_(query.rays.ray_count / 64),
         lookup_(table, query.rays.frame, query.radius),
         node_masks_(node_masks) {}
@@ -25,11 +26,12 @@ class TableKernel {
     return mask;
   }
 
-  OcclusionMask triangle_mask(const Leaf& leaf, int triangle, const OcclusionMask& mask) const {
-    const glm::vec3 a = leaf.corner(triangle, 0), b = leaf.corner(triangle, 1), c = leaf.corner(triangle, 2);
+  OcclusionMask triangle_mask(std::uint32_t primitive, const OcclusionMask& mask) const {
     OcclusionMask blocked;
-    if (is_culled(a, b, c, query_)) return blocked;
-    const TriangleTest test(a, b, c, query_.rays.origin, query_.radius, query_.sidedness);
+    if (is_culled(layout_.corner(primitive, 0), layout_.corner(primitive, 1), layout_.corner(primitive, 2), query_)) {
+      return blocked;
+    }
+    const TriangleTest test = make_test(layout_, primitive, query_);
     if (!test.can_block()) return blocked;
     const MaskBounds bounds = look_up(test, mask);
     blocked = bounds.must;
@@ -88,6 +90,7 @@ class TableKernel {
     }
   }
 
+  const Layout& layout_;
   const Query& query_;
   int word_count_;
   TableLookup lookup_;
@@ -97,7 +100,7 @@ class TableKernel {
 }  // namespace
 
 OcclusionMask trace_table(const Layout& layout, const Query& query, const PlaneMaskTable& table, NodeMasks node_masks) {
-  TableKernel kernel(query, table, node_masks);
+  TableKernel kernel(layout, query, table, node_masks);
   return Traversal(layout, query, kernel).run();
 }
 

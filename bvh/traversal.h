@@ -7,6 +7,7 @@
 
 #include "bvh/box_test.h"
 #include "bvh/layout.h"
+#include "bvh/triangle_test.h"
 #include "lkao/ambient_occlusion.h"
 
 namespace lkao::bvh {
@@ -20,6 +21,12 @@ struct Query {
   std::uint32_t excluded_primitive = kNoPrimitive;
 };
 
+// The definition for one triangle as the query's receiver sees it.
+inline TriangleTest make_test(const Layout& layout, std::uint32_t primitive, const Query& query) {
+  return {layout.corner(primitive, 0), layout.corner(primitive, 1), layout.corner(primitive, 2),
+          query.rays.origin,           query.radius,                query.sidedness};
+}
+
 // Calls `function(ray)` for every ray of the mask.
 template <typename Function>
 void for_each_ray(const OcclusionMask& mask, int word_count, const Function& function) {
@@ -32,7 +39,7 @@ void for_each_ray(const OcclusionMask& mask, int word_count, const Function& fun
 
 // A kernel says which rays may meet a box and which rays a triangle blocks:
 //   OcclusionMask node_mask(const Bounds& box, const OcclusionMask& mask): rays of `mask` that may meet the box.
-//   OcclusionMask triangle_mask(const Leaf& leaf, int triangle, const OcclusionMask& mask): rays of `mask` it blocks.
+//   OcclusionMask triangle_mask(std::uint32_t primitive, const OcclusionMask& mask): rays of `mask` it blocks.
 template <typename Kernel>
 class Traversal {
  public:
@@ -64,9 +71,9 @@ class Traversal {
   }
 
   void visit(const Leaf& leaf, const OcclusionMask& mask) {
-    for (int i = 0; i < kWidth && leaf.primitives[i] != kNoPrimitive; ++i) {
+    for (int i = 0; i < leaf.triangle_count(); ++i) {
       if (leaf.primitives[i] == query_.excluded_primitive) continue;
-      open_ = open_ & ~kernel_.triangle_mask(leaf, i, mask & open_);
+      open_ = open_ & ~kernel_.triangle_mask(leaf.primitives[i], mask & open_);
     }
   }
 

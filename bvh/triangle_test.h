@@ -36,14 +36,14 @@ class TriangleTest {
     // The plane is at `distance_` times the normal, which may point either way.
     distance_ = glm::dot(a, normal_);
     // In front means on the side that the normal points to: there the origin sees a negative distance.
-    const bool in_front = distance_ < 0;
+    in_front_ = distance_ < 0;
     const bool in_plane = std::fabs(distance_) <= kRounding * size * norm(a);
     const bool too_far =
         std::fabs(distance_) > 1.001 * static_cast<double>(radius) * std::sqrt(glm::dot(normal_, normal_));
-    can_block_ = !in_plane && !too_far && (in_front || sidedness == Sidedness::two_sided);
+    can_block_ = !in_plane && !too_far && (in_front_ || sidedness == Sidedness::two_sided);
     if (!can_block_) return;
     // From here on planes face away from the origin: rays that pass the triangle are beyond all four.
-    const double facing = in_front ? -1.0 : 1.0;
+    const double facing = in_front_ ? -1.0 : 1.0;
     normal_ *= facing;
     distance_ *= facing;
     ray_norm_ = 1.7321 * static_cast<double>(radius);
@@ -56,6 +56,9 @@ class TriangleTest {
   // False where no ray at all can be blocked: one-sided and seen from behind, farther than the radius, or the origin
   // lies in the triangle's plane (to rounding), where it would only be met at the ray's open end.
   bool can_block() const { return can_block_; }
+
+  // True where the origin lies on the side that the triangle faces. Requires can_block().
+  bool in_front() const { return in_front_; }
 
   // True where the segment (0, ray], relative to the origin, meets the triangle. Requires can_block().
   bool blocks(const glm::vec3& ray) const {
@@ -95,6 +98,7 @@ class TriangleTest {
   double distance_;
   double normal_slack_;
   bool can_block_;
+  bool in_front_;
 };
 
 }  // namespace lkao::bvh

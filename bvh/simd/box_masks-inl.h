@@ -9,34 +9,32 @@
 #include <hwy/highway.h>
 
 #include "bvh/layout.h"
-#include "bvh/simd/ray_lanes-inl.h"
+#include "bvh/simd/ray_sets-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace lkao::bvh::HWY_NAMESPACE {
-
-using ChildTag = hn::CappedTag<float, kWidth>;
 
 // The faces of the boxes of a node's children, relative to the origin of the rays.
 class RelativeBoxes {
  public:
   HWY_INLINE RelativeBoxes(const Node& node, const glm::vec3& origin) {
-    const ChildTag tag;
+    const BoxTag tag;
     for (int axis = 0; axis < 3; ++axis) {
       const auto from = hn::Set(tag, origin[axis]);
-      for (int i = 0; i < kWidth; i += static_cast<int>(hn::Lanes(tag))) {
-        hn::Store(hn::Sub(hn::Load(tag, node.lower[axis] + i), from), tag, faces_[0][axis] + i);
-        hn::Store(hn::Sub(hn::Load(tag, node.upper[axis] + i), from), tag, faces_[1][axis] + i);
+      for (int i = 0; i < kWidth; i += lane_count(tag)) {
+        hn::Store(hn::Sub(hn::Load(tag, node.faces[0][axis] + i), from), tag, faces_[0][axis] + i);
+        hn::Store(hn::Sub(hn::Load(tag, node.faces[1][axis] + i), from), tag, faces_[1][axis] + i);
       }
     }
   }
 
   // Children that are not out of reach, as is_out_of_reach says. Empty children are.
   HWY_INLINE std::uint32_t within_reach(const glm::vec3& up, float radius) const {
-    const ChildTag tag;
+    const BoxTag tag;
     const auto zero = hn::Zero(tag), reach2 = hn::Set(tag, radius * radius * (1.0f + 0x1p-19f));
     const auto slack = hn::Set(tag, 0x1p-20f);
     std::uint32_t children = 0;
-    for (int i = 0; i < kWidth; i += static_cast<int>(hn::Lanes(tag))) {
+    for (int i = 0; i < kWidth; i += lane_count(tag)) {
       auto distance2 = zero, highest = zero, magnitude = zero;
       for (int axis = 0; axis < 3; ++axis) {
         const auto lower = hn::Load(tag, faces_[0][axis] + i), upper = hn::Load(tag, faces_[1][axis] + i);
@@ -55,11 +53,11 @@ class RelativeBoxes {
   }
 
   // Of 16 rays, those that may meet a child's box within their length. As may_meet.
-  HWY_INLINE std::uint32_t rays_meeting(int child, const RayLanes& rays) const {
+  HWY_INLINE std::uint32_t rays_meeting(int child, const RaySet& rays) const {
     const RayTag tag;
-    const auto zero = hn::Zero(tag), one = hn::Set(tag, 1.0f), slack = hn::Set(tag, kSlack);
+    const auto zero = hn::Zero(tag), one = hn::Set(tag, 1.0f), slack = hn::Set(tag, kBoxSlack);
     std::uint32_t met = 0;
-    for (int i = 0; i < kLaneCount; i += static_cast<int>(hn::Lanes(tag))) {
+    for (int i = 0; i < kLaneCount; i += lane_count(tag)) {
       const auto inverse_x = hn::LoadU(tag, rays.inverse_x + i), inverse_y = hn::LoadU(tag, rays.inverse_y + i),
                  inverse_z = hn::LoadU(tag, rays.inverse_z + i);
       const auto x0 = hn::Mul(hn::Set(tag, faces_[0][0][child]), inverse_x);
@@ -75,28 +73,7 @@ class RelativeBoxes {
     return met;
   }
 
-  // Of the children, those whose boxes one ray may meet within its length. Signs tell near faces from far ones. The box
-  // of an empty child, from +infinity to -infinity, is met by none.
-  HWY_INLINE std::uint32_t children_met(float inverse_x, float inverse_y, float inverse_z) const {
-    const ChildTag tag;
-    const int near_x = inverse_x < 0, near_y = inverse_y < 0, near_z = inverse_z < 0;
-    const auto x = hn::Set(tag, inverse_x), y = hn::Set(tag, inverse_y), z = hn::Set(tag, inverse_z);
-    const auto zero = hn::Zero(tag), one = hn::Set(tag, 1.0f), slack = hn::Set(tag, kSlack);
-    std::uint32_t met = 0;
-    for (int i = 0; i < kWidth; i += static_cast<int>(hn::Lanes(tag))) {
-      const auto enter = hn::Max(
-          hn::Max(hn::Mul(hn::Load(tag, faces_[near_x][0] + i), x), hn::Mul(hn::Load(tag, faces_[near_y][1] + i), y)),
-          hn::Max(hn::Mul(hn::Load(tag, faces_[near_z][2] + i), z), zero));
-      const auto leave = hn::Min(hn::Min(hn::Mul(hn::Load(tag, faces_[1 - near_x][0] + i), x),
-                                         hn::Mul(hn::Load(tag, faces_[1 - near_y][1] + i), y)),
-                                 hn::Min(hn::Mul(hn::Load(tag, faces_[1 - near_z][2] + i), z), one));
-      met |= bits_of(tag, hn::Le(enter, hn::Mul(leave, slack))) << i;
-    }
-    return met;
-  }
-
  private:
-  static constexpr float kSlack = 1.0f + 0x1p-20f;
   alignas(64) float faces_[2][3][kWidth];  // lower and upper, by axis, then child
 };
 

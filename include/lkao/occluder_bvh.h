@@ -46,7 +46,7 @@ namespace bvh {
 struct Layout;
 }
 
-// An immutable hierarchy over the triangles of a mesh: 8 children a node, at most 8 triangles a leaf. It
+// An immutable hierarchy over the triangles of a mesh: 8 children a node, at most 4 triangles a leaf. It
 // copies what it needs; the mesh may go after the build. Copies share their storage.
 //
 // The constructor builds in parallel, in the TBB arena of the caller. It throws std::invalid_argument where

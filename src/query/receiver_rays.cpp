@@ -8,6 +8,7 @@
 
 #include "bvh/zero_area.h"
 #include "lut/random.h"
+#include "query/turn_pattern.h"
 
 namespace lkao::query {
 namespace {
@@ -54,11 +55,14 @@ glm::mat3 jittered_frame(const Receiver& receiver, const Jitter& jitter, float l
   const glm::dvec3 normal = unit(receiver.normal);
   glm::dvec3 tangent, bitangent;
   make_tangents(normal, tangent, bitangent);
-  const glm::dvec3 sideways = std::cos(tilt_turn) * tangent + std::sin(tilt_turn) * bitangent;
-  const glm::dvec3 axis = glm::normalize(std::cos(tilt) * normal + std::sin(tilt) * sideways);
-  make_tangents(axis, tangent, bitangent);
-  return glm::mat3(std::cos(turn) * tangent + std::sin(turn) * bitangent,
-                   std::cos(turn) * bitangent - std::sin(turn) * tangent, axis);
+  glm::dvec3 axis = normal;
+  if (tilt > 0) {
+    const glm::dvec3 sideways = std::cos(tilt_turn) * tangent + std::sin(tilt_turn) * bitangent;
+    axis = glm::normalize(std::cos(tilt) * normal + std::sin(tilt) * sideways);
+    make_tangents(axis, tangent, bitangent);
+  }
+  const double cosine = std::cos(turn), sine = std::sin(turn);
+  return glm::mat3(cosine * tangent + sine * bitangent, cosine * bitangent - sine * tangent, axis);
 }
 
 PatternLanes::PatternLanes(const SamplePattern& pattern)
@@ -72,9 +76,8 @@ PatternLanes::PatternLanes(const SamplePattern& pattern)
 
 void make_rays(const Receiver& receiver, const PatternLanes& pattern, const QueryOptions& options,
                float largest_coordinate, std::uint64_t index, ReceiverRays& rays) {
-  const std::size_t ray_count = pattern.x.size();
-  rays.cast = OcclusionMask();
-  rays.ray_count = static_cast<int>(ray_count);
+    rays.cast = OcclusionMask();
+  rays.ray_count = static_cast<int>(pattern.x.size());
   rays.origin = receiver.position;
   if (!is_valid(receiver)) return;
 
@@ -82,22 +85,8 @@ void make_rays(const Receiver& receiver, const PatternLanes& pattern, const Quer
   const float largest = std::max(largest_component(receiver.position), largest_coordinate);
   rays.origin = receiver.position + up * (options.surface_offset * 0x1p-24f * largest);
 
-  const glm::mat3 frame = jittered_frame(receiver, options.jitter, pattern.lowest_elevation, options.seed, index);
-  rays.frame = frame;
-  float heights[kMaxRayCount];  // of unit directions, above the geometric horizon
-  for (std::size_t i = 0; i < ray_count; ++i) {
-    const float length = pattern.length[i] * options.radius;
-    const float x = frame[0].x * pattern.x[i] + frame[1].x * pattern.y[i] + frame[2].x * pattern.z[i];
-    const float y = frame[0].y * pattern.x[i] + frame[1].y * pattern.y[i] + frame[2].y * pattern.z[i];
-    const float z = frame[0].z * pattern.x[i] + frame[1].z * pattern.y[i] + frame[2].z * pattern.z[i];
-    rays.x[i] = x * length;
-    rays.y[i] = y * length;
-    rays.z[i] = z * length;
-    heights[i] = x * up.x + y * up.y + z * up.z;
-  }
-  for (std::size_t i = 0; i < ray_count; ++i) {
-    rays.cast.words[i / 64] |= static_cast<std::uint64_t>(heights[i] > 0) << (i % 64);
-  }
+  rays.frame = jittered_frame(receiver, options.jitter, pattern.lowest_elevation, options.seed, index);
+  turn_pattern(pattern, rays.frame, options.radius, up, rays);
 }
 
 }  // namespace lkao::query

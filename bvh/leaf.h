@@ -1,0 +1,22 @@
+// From triangles to the leaf that answers for them.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "bvh/layout.h"
+
+namespace lkao::bvh {
+
+// The leaf of 1 to 4 different triangles of the layout's mesh, none of zero area.
+//
+// Each triangle becomes an affine frame, as in D. Baldwin, M. Weber, "Fast Ray-Triangle Intersections by Coordinate
+// Transformation", JCGT 5(3), 2016: a point x has the barycentric coordinates u = u_gradient . (x - vertex) and
+// v = v_gradient . (x - vertex), and lies as far behind the plane as back_normal . (x - vertex). Along all rays of a
+// receiver the origin's three numbers are the same, so a ray costs three dot products and a triangle next to nothing.
+//
+// Of the three corners, `vertex` is the one opposite the longest edge: the third coordinate 1 - u - v is then no
+// steeper than twice the others, and keeps their precision.
+Leaf make_leaf(const Layout& layout, std::span<const std::uint32_t> primitives);
+
+}  // namespace lkao::bvh

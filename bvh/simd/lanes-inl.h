@@ -1,0 +1,57 @@
+// Vectors of rays, boxes and triangles, and their masks as bits. Included once for each SIMD target.
+#if defined(LKAO_BVH_SIMD_LANES_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef LKAO_BVH_SIMD_LANES_INL_H_
+#undef LKAO_BVH_SIMD_LANES_INL_H_
+#else
+#define LKAO_BVH_SIMD_LANES_INL_H_
+#endif
+
+#include <cstdint>
+#include <cstring>
+
+#include <hwy/highway.h>
+
+#include "bvh/layout.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace lkao::bvh::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+// Rays are taken 16 at a time, a chunk, whatever the width of a vector; a mask of them fits 16 bits.
+inline constexpr int kLaneCount = 16;
+using RayTag = hn::CappedTag<float, kLaneCount>;
+using BoxTag = hn::CappedTag<float, kWidth>;
+using TriangleTag = hn::CappedTag<float, kLeafWidth>;
+
+template <class Tag>
+constexpr int lane_count(Tag tag) {
+  return static_cast<int>(hn::Lanes(tag));
+}
+
+// The lanes of a mask as bits. Reads just the bytes that were stored, so that no memory is touched in the end.
+template <class Tag, class Mask>
+HWY_INLINE std::uint32_t bits_of(Tag tag, Mask mask) {
+  std::uint8_t bytes[8];
+  hn::StoreMaskBits(tag, mask, bytes);
+  if constexpr (hn::MaxLanes(Tag()) > 8) {
+    std::uint16_t bits;
+    std::memcpy(&bits, bytes, sizeof(bits));
+    return bits;
+  } else {
+    return bytes[0];
+  }
+}
+
+// The other way round.
+template <class Tag>
+HWY_INLINE hn::Mask<Tag> mask_of(Tag tag, std::uint32_t bits) {
+  std::uint8_t bytes[8];
+  std::memcpy(bytes, &bits, sizeof(bits));
+  return hn::LoadMaskBits(tag, bytes);
+}
+
+}  // namespace lkao::bvh::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // include guard

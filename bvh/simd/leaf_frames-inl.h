@@ -1,0 +1,183 @@
+// Triangles of a leaf against rays. Included once for each SIMD target.
+#if defined(LKAO_BVH_SIMD_LEAF_FRAMES_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef LKAO_BVH_SIMD_LEAF_FRAMES_INL_H_
+#undef LKAO_BVH_SIMD_LEAF_FRAMES_INL_H_
+#else
+#define LKAO_BVH_SIMD_LEAF_FRAMES_INL_H_
+#endif
+
+#include <hwy/highway.h>
+
+#include "bvh/layout.h"
+#include "bvh/simd/lanes-inl.h"
+#include "bvh/traversal.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace lkao::bvh::HWY_NAMESPACE {
+
+using Floats = hn::Vec<TriangleTag>;
+
+// Bits of rays or triangles: blocked for sure, and those that only TriangleTest can decide.
+struct Verdict {
+  std::uint32_t sure;
+  std::uint32_t in_doubt;
+};
+
+// The triangles of a leaf as one receiver sees them, in single precision.
+//
+// In the frame of a triangle (make_leaf) the origin is at (u, v, distance) and a ray goes by (du, dv, towards), where
+// distance >= 0 and `towards` is measured towards the plane. The ray meets the triangle where, multiplied by `towards`,
+//   u towards + distance du >= 0,  v towards + distance dv >= 0,  their sum <= towards,  and towards >= distance.
+//
+// Error bounds, with e = 2^-24, |p| the L1 norm of origin - vertex, r the length of the longest ray (L1: 1.7321 r) and g
+// the steepness: gradients, difference and the sums of three products make the origin's coordinates uncertain by
+// 5 e g |p| and 5 e |p|, the ray's by 4 e g 1.7321 r and 4 e 1.7321 r, so the two products and their sum by
+// 22 e g |p| 1.7321 r = 39 e g |p| r. The third edge adds up the errors of both, and 6 e 1.7321 r. The bounds below
+// grant more than that. To |p| comes a little for the definition's own tolerance where the origin is at the vertex.
+class LeafFrames {
+ public:
+  HWY_INLINE LeafFrames(const Layout& layout, const Leaf& leaf, const Query& query, float near) : leaf_(leaf) {
+    const TriangleTag tag;
+    const auto px = hn::Sub(hn::Set(tag, query.rays.origin.x), load(leaf.vertex[0]));
+    const auto py = hn::Sub(hn::Set(tag, query.rays.origin.y), load(leaf.vertex[1]));
+    const auto pz = hn::Sub(hn::Set(tag, query.rays.origin.z), load(leaf.vertex[2]));
+    u_ = dot(leaf.u_gradient, px, py, pz);
+    v_ = dot(leaf.v_gradient, px, py, pz);
+    const auto behind = dot(leaf.back_normal, px, py, pz);
+    distance_ = hn::Abs(behind);
+    // Rays go against back_normal where the origin is behind the triangle.
+    turn_ = hn::AndNot(behind, hn::SignBit(tag));
+
+    const auto reach = hn::Add(hn::Add(hn::Abs(px), hn::Abs(py)), hn::Add(hn::Abs(pz), hn::Set(tag, near)));
+    const auto e = hn::Set(tag, 0x1p-24f), er = hn::Set(tag, 0x1p-24f * query.radius);
+    edge_slack_ = hn::Mul(hn::MulAdd(hn::Mul(load(leaf.steepness), reach), hn::Set(tag, 90.0f), hn::Set(tag, 12.0f)), er);
+    const auto distance_slack = hn::Mul(hn::Set(tag, 6.0f), hn::Mul(e, reach));
+    own_slack_ = hn::MulAdd(hn::Set(tag, 8.0f), er, distance_slack);
+
+    // `!(x > y)` holds for NaN too.
+    const std::uint32_t unsure_side = kAllTriangles & ~bits_of(tag, hn::Gt(distance_, distance_slack));
+    if (HWY_UNLIKELY(unsure_side != 0)) decide_sides(layout, query, unsure_side);
+    if (query.sidedness == Sidedness::one_sided) {
+      candidates_ &= ~bits_of(tag, hn::Gt(behind, distance_slack));
+    }
+    if (query.excluded_primitive != kNoPrimitive) {
+      for (int i = 0; i < kLeafWidth; ++i) {
+        if (leaf.primitives[i] == query.excluded_primitive) candidates_ &= ~(1u << i);
+      }
+    }
+  }
+
+  // Triangles that block one ray.
+  HWY_INLINE Verdict blocked(float x, float y, float z) const {
+    const TriangleTag tag;
+    const auto rx = hn::Set(tag, x), ry = hn::Set(tag, y), rz = hn::Set(tag, z);
+    const auto towards = hn::Xor(dot(leaf_.back_normal, rx, ry, rz), turn_);
+    const auto u = hn::MulAdd(u_, towards, hn::Mul(distance_, dot(leaf_.u_gradient, rx, ry, rz)));
+    const auto v = hn::MulAdd(v_, towards, hn::Mul(distance_, dot(leaf_.v_gradient, rx, ry, rz)));
+    const Verdict verdict = judge(tag, u, v, towards, distance_, edge_slack_, own_slack_);
+    return {verdict.sure & candidates_, verdict.in_doubt & candidates_};
+  }
+
+  // Where rays are beyond all planes, for sure or perhaps, as bits.
+  template <class Tag, class V>
+  HWY_INLINE static Verdict judge(Tag tag, V u, V v, V towards, V distance, V edge_slack, V own_slack) {
+    const auto least = hn::Min(hn::Min(u, v), hn::Sub(towards, hn::Add(u, v))), beyond = hn::Sub(towards, distance);
+    // Infinite slacks and NaN are never less.
+    const auto missed = hn::Or(hn::Lt(least, hn::Neg(edge_slack)), hn::Lt(beyond, hn::Neg(own_slack)));
+    const auto met = hn::And(hn::Ge(least, edge_slack), hn::Ge(beyond, own_slack));
+    const std::uint32_t sure = bits_of(tag, met);
+    return {sure, ~(bits_of(tag, missed) | sure)};
+  }
+
+ private:
+  friend class LeafPlanes;
+  static constexpr std::uint32_t kAllTriangles = (1u << kLeafWidth) - 1;
+
+  static HWY_INLINE Floats load(const float* values) { return hn::Load(TriangleTag(), values); }
+  static HWY_INLINE Floats dot(const float (&rows)[3][kLeafWidth], Floats x, Floats y, Floats z) {
+    return hn::MulAdd(load(rows[0]), x, hn::MulAdd(load(rows[1]), y, hn::Mul(load(rows[2]), z)));
+  }
+
+  // Takes the side from TriangleTest where it is in doubt: nearly coplanar receivers.
+  HWY_NOINLINE void decide_sides(const Layout& layout, const Query& query, std::uint32_t triangles) {
+    const TriangleTag tag;
+    for (; triangles != 0; triangles &= triangles - 1) {
+      const int i = std::countr_zero(triangles);
+      const TriangleTest test = make_test(layout, leaf_.primitives[i], query);
+      const auto lane = mask_of(tag, 1u << i);
+      if (!test.can_block()) {
+        candidates_ &= ~(1u << i);
+      } else {
+        const auto turn = test.in_front() ? hn::Zero(tag) : hn::SignBit(tag);
+        turn_ = hn::IfThenElse(lane, turn, turn_);
+      }
+    }
+  }
+
+  const Leaf& leaf_;
+  Floats u_, v_, distance_;
+  Floats turn_;  // sign bit
+  Floats edge_slack_, own_slack_;
+  std::uint32_t candidates_ = kAllTriangles;
+};
+
+// The same for many rays: each triangle's planes through the origin, set up once.
+class LeafPlanes {
+ public:
+  HWY_INLINE explicit LeafPlanes(const LeafFrames& frames) {
+    const TriangleTag tag;
+    for (int axis = 0; axis < 3; ++axis) {
+      const auto towards = hn::Xor(frames.load(frames.leaf_.back_normal[axis]), frames.turn_);
+      hn::Store(towards, tag, towards_[axis]);
+      hn::Store(hn::MulAdd(frames.u_, towards, hn::Mul(frames.distance_, frames.load(frames.leaf_.u_gradient[axis]))),
+                tag, u_[axis]);
+      hn::Store(hn::MulAdd(frames.v_, towards, hn::Mul(frames.distance_, frames.load(frames.leaf_.v_gradient[axis]))),
+                tag, v_[axis]);
+    }
+    hn::Store(frames.distance_, tag, distance_);
+    hn::Store(frames.edge_slack_, tag, edge_slack_);
+    hn::Store(frames.own_slack_, tag, own_slack_);
+    for (int i = 0; i < kLeafWidth; ++i) candidates_[i] = (frames.candidates_ >> i & 1) != 0 ? ~0u : 0u;
+  }
+
+  // Of the rays of a chunk that the mask has: adds those that some triangle blocks for sure to `blocked`, and finds
+  // those in doubt by triangle.
+  HWY_INLINE void test(const RaySet& rays, std::uint32_t mask, std::uint32_t& blocked,
+                       std::uint32_t (&in_doubt)[kLeafWidth]) const {
+    const RayTag tag;
+    for (std::uint32_t& lanes : in_doubt) lanes = 0;
+    for (int i = 0; i < kLaneCount; i += lane_count(tag)) {
+      const auto x = hn::LoadU(tag, rays.x + i), y = hn::LoadU(tag, rays.y + i), z = hn::LoadU(tag, rays.z + i);
+      const std::uint32_t lanes = (1u << lane_count(tag)) - 1;
+      for (int triangle = 0; triangle < kLeafWidth; ++triangle) {
+        const Verdict verdict = LeafFrames::judge(
+            tag, dot(u_, triangle, x, y, z), dot(v_, triangle, x, y, z), dot(towards_, triangle, x, y, z),
+            hn::Set(tag, distance_[triangle]), hn::Set(tag, edge_slack_[triangle]), hn::Set(tag, own_slack_[triangle]));
+        const std::uint32_t wanted = mask & (candidates_[triangle] & lanes) << i;
+        blocked |= verdict.sure << i & wanted;
+        in_doubt[triangle] |= verdict.in_doubt << i & wanted;
+      }
+    }
+  }
+
+ private:
+  template <class V>
+  static HWY_INLINE V dot(const float (&plane)[3][kLeafWidth], int triangle, V x, V y, V z) {
+    const RayTag tag;
+    return hn::MulAdd(hn::Set(tag, plane[0][triangle]), x,
+                      hn::MulAdd(hn::Set(tag, plane[1][triangle]), y, hn::Mul(hn::Set(tag, plane[2][triangle]), z)));
+  }
+
+  alignas(64) float u_[3][kLeafWidth];
+  alignas(64) float v_[3][kLeafWidth];
+  alignas(64) float towards_[3][kLeafWidth];
+  alignas(64) float distance_[kLeafWidth];
+  alignas(64) float edge_slack_[kLeafWidth];
+  alignas(64) float own_slack_[kLeafWidth];
+  std::uint32_t candidates_[kLeafWidth];  // all bits or none
+};
+
+}  // namespace lkao::bvh::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // include guard
