@@ -174,7 +174,7 @@ class Flattener {
       add_node(root);
       return;
     }
-    layout_.nodes.push_back(empty_node());
+    layout_.nodes.push_back(Node::empty());
     set_child(0, 0, layout_.bounds, add_leaf(root));
   }
 
@@ -189,7 +189,7 @@ class Flattener {
 
   std::uint32_t add_node(const BuildNode& source) {
     const auto index = static_cast<std::uint32_t>(layout_.nodes.size());
-    layout_.nodes.push_back(empty_node());
+    layout_.nodes.push_back(Node::empty());
     for (std::uint32_t i = 0; i < source.count; ++i) {
       const ChildRef child = add(*static_cast<const BuildNode*>(source.children[i]));
       set_child(index, i, source.bounds[i], child);
@@ -203,22 +203,16 @@ class Flattener {
     return ChildRef::leaf(static_cast<std::uint32_t>(leaves_.size() - 1));
   }
 
-  static Node empty_node() {
-    Node node;
-    std::fill_n(&node.faces[0][0][0], 2 * 3 * kWidth, kInfinity);
-    std::fill_n(node.children, kWidth, ChildRef::none());
-    return node;
-  }
-
   // Faces move out by a step of float: see Node.
   void set_child(std::uint32_t node, std::uint32_t child, const Bounds& bounds, ChildRef ref) {
     constexpr float kTiny = std::numeric_limits<float>::min();
+    Bounds box;
     for (int axis = 0; axis < 3; ++axis) {
       const float lower = bounds.lower[axis], upper = bounds.upper[axis];
-      layout_.nodes[node].faces[0][axis][child] = std::min(std::nextafter(lower, -kInfinity), lower - kTiny);
-      layout_.nodes[node].faces[1][axis][child] = std::max(std::nextafter(upper, kInfinity), upper + kTiny);
+      box.lower[axis] = std::min(std::nextafter(lower, -kInfinity), lower - kTiny);
+      box.upper[axis] = std::max(std::nextafter(upper, kInfinity), upper + kTiny);
     }
-    layout_.nodes[node].children[child] = ref;
+    layout_.nodes[node].set_child(static_cast<int>(child), box, ref);
   }
 
   Layout& layout_;

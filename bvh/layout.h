@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include <glm/vec3.hpp>
@@ -40,17 +41,34 @@ class ChildRef {
   std::uint32_t bits_;
 };
 
-// Children fill the node from the front. The box of an empty child is a point at infinity, which no ray meets. Every face is a step of
-// float outside what the box holds: a ray that runs within the plane of what it holds is then strictly between the
-// faces, and the slab test never multiplies 0 by the reciprocal of 0.
+// Children fill the node from the front. The box of an empty child is a point at infinity, which no ray meets. Every
+// other face is a step of float outside what the box holds: a ray that runs within the plane of what it holds is then
+// strictly between the faces, and the slab test never multiplies 0 by the reciprocal of 0.
 struct alignas(64) Node {
   float faces[2][3][kWidth];  // lower and upper, by axis, then child
   ChildRef children[kWidth];
 
   const std::uint32_t* child_bits() const { return reinterpret_cast<const std::uint32_t*>(children); }
+  static Node empty() {
+    Node node;
+    for (int child = 0; child < kWidth; ++child) node.clear_child(child);
+    return node;
+  }
+
   Bounds child_bounds(int child) const {
     return {{faces[0][0][child], faces[0][1][child], faces[0][2][child]},
             {faces[1][0][child], faces[1][1][child], faces[1][2][child]}};
+  }
+  void set_child(int child, const Bounds& box, ChildRef ref) {
+    for (int axis = 0; axis < 3; ++axis) {
+      faces[0][axis][child] = box.lower[axis];
+      faces[1][axis][child] = box.upper[axis];
+    }
+    children[child] = ref;
+  }
+  void clear_child(int child) {
+    const glm::vec3 infinity(std::numeric_limits<float>::infinity());
+    set_child(child, {infinity, infinity}, ChildRef::none());
   }
 };
 
@@ -72,13 +90,19 @@ struct alignas(32) Leaf {
 };
 
 struct Layout {
-  std::vector<Node, HugePageAllocator<Node>> nodes;  // the root is nodes[0]; none where there is no occluder
+  std::vector<Node, HugePageAllocator<Node>> nodes;  // the root first
   std::vector<Leaf, HugePageAllocator<Leaf>> leaves;
   // The mesh, for TriangleTest.
   std::vector<glm::vec3> positions;
   std::vector<glm::uvec3> triangles;
   Bounds bounds;
   BuildReport report;
+
+  // Where queries begin; without a child where there is no occluder.
+  const Node& root() const {
+    static const Node kEmpty = Node::empty();
+    return nodes.empty() ? kEmpty : nodes[0];
+  }
 
   // Corner 0, 1 or 2 of a triangle.
   const glm::vec3& corner(std::uint32_t primitive, int which) const { return positions[triangles[primitive][which]]; }

@@ -1,7 +1,6 @@
 // Compiled once for every SIMD target (Highway); the fastest that the processor has is chosen at run time.
 //
-// Wide phase: nodes are visited with a mask of all rays, tested 16 at a time (a chunk: neighbours in the pattern). Where
-// the active rays are thinly spread over their chunks they are packed densely before they go on.
+// Wide phase: nodes are visited with a mask of all rays, tested 16 at a time (a chunk: neighbours in the pattern).
 // Stream: children that few rays may meet are put aside, and answered ray by ray once all of them are known.
 //
 // Differs from the paper (see traversal.h): masks come from box and plane tests of the rays in single precision. They
@@ -47,9 +46,7 @@ class SimdTraversal {
         stream_(layout, query, rays_, near_) {}
 
   OcclusionMask run() {
-    if (!layout_.nodes.empty()) {
-      visit(layout_.nodes[0], rays_.all(), ActiveChunks(rays_.all(), query_.rays.ray_count / kLaneCount));
-    }
+    visit(query_.root, ActiveChunks(rays_));
     stream_.run();
     return query_.rays.cast & ~rays_.open_mask();
   }
@@ -60,76 +57,61 @@ class SimdTraversal {
     return std::max(size.x, std::max(size.y, size.z));
   }
 
-  // `active`: the open rays of the set that may meet the node.
-  void visit(const Node& node, const RaySet& set, const ActiveChunks& active) {
-    const RelativeBoxes boxes(node, query_.rays.origin);
+  // `active`: the open rays that may meet the node.
+  void visit(const Node& node, const ActiveChunks& active) {
+    const RelativeBoxes boxes(node, query_.rays.origin, query_.up, query_.radius);
     const int padded_count = active.padded_count();
-    alignas(8) std::uint16_t met[kWidth][kMaxChunkCount];  // by child, then chunk of `active`
-    int ray_counts[kWidth], order[kWidth], child_count = 0;
-    for (std::uint32_t children = boxes.within_reach(query_.up, query_.radius); children != 0;
-         children &= children - 1) {
+    std::uint16_t met[kWidth][kMaxChunkCount];  // by child, then chunk of `active`
+    const std::uint32_t reached = boxes.reached();
+    for (std::uint32_t children = reached; children != 0; children &= children - 1) {
       const int child = std::countr_zero(children);
       for (int i = 0; i < padded_count; i += kChunkStep) {
         for (int k = i; k < i + kChunkStep; ++k) {
-          met[child][k] = static_cast<std::uint16_t>(active.masks[k] &
-                                                     boxes.rays_meeting(child, set.from(active.chunks[k])));
+          met[child][k] =
+              static_cast<std::uint16_t>(active.masks[k] & boxes.rays_meeting(child, rays_, active.chunks[k]));
         }
       }
-      const int ray_count = ray_counts[child] = count_rays(met[child], padded_count);
-      int place = child_count++;
-      for (; place > 0 && ray_counts[order[place - 1]] < ray_count; --place) order[place] = order[place - 1];
-      order[place] = child;
     }
-    for (int i = 0; i < child_count; ++i) {
-      const int child = order[i];
-      if (ray_counts[child] == 0) break;
-      visit(node.children[child], set, ActiveChunks(set, active, met[child]));
+    for (std::uint32_t children = reached; children != 0; children &= children - 1) {
+      const int child = std::countr_zero(children);
+      visit(node.children[child], ActiveChunks(rays_, active, met[child]));
     }
   }
 
-  void visit(ChildRef child, const RaySet& set, const ActiveChunks& active) {
-    const int ray_count = count_rays(active.masks, active.padded_count());
-    if (child.is_leaf()) {
-      if (ray_count <= kFewRaysPerChunk * active.count) {
-        stream_.push(child, set, active);
-      } else {
-        visit(layout_.leaves[child.index()], set, active);
-      }
-    } else if (ray_count <= kFewRays) {
-      stream_.push(child, set, active);
-    } else if (2 * RayPool::chunks_of(ray_count) <= active.count) {
-      const RaySet packed = rays_.pack(set, active, ray_count);
-      visit(layout_.nodes[child.index()], packed, ActiveChunks(packed, RayPool::chunks_of(ray_count)));
-      rays_.unpack(packed, ray_count);
+  void visit(ChildRef child, const ActiveChunks& active) {
+    const int few = child.is_leaf() ? kFewRaysPerChunk * active.count : kFewRays;
+    if (active.ray_count() <= few) {
+      stream_.push(child, active);
+    } else if (child.is_leaf()) {
+      visit(layout_.leaves[child.index()], active);
     } else {
-      visit(layout_.nodes[child.index()], set, active);
+      visit(layout_.nodes[child.index()], active);
     }
   }
 
-  void visit(const Leaf& leaf, const RaySet& set, const ActiveChunks& active) {
+  void visit(const Leaf& leaf, const ActiveChunks& active) {
     const LeafFrames frames(layout_, leaf, query_, near_);
     const LeafPlanes planes(frames);
     for (int i = 0; i < active.count; ++i) {
-      const RaySet rays = set.from(active.chunks[i]);
-      std::uint32_t blocked = 0, in_doubt[kLeafWidth];
-      planes.test(rays, active.masks[i], blocked, in_doubt);
-      if (HWY_UNLIKELY((in_doubt[0] | in_doubt[1] | in_doubt[2] | in_doubt[3]) != 0)) {
-        for (int triangle = 0; triangle < kLeafWidth; ++triangle) {
-          const std::uint32_t lanes = in_doubt[triangle] & ~blocked;
-          if (lanes != 0) blocked |= resolve(leaf.primitives[triangle], rays, lanes);
-        }
-      }
-      *rays.open &= static_cast<std::uint16_t>(~blocked);
+      const int chunk = active.chunks[i];
+      const Verdict rays = planes.blocked(rays_, chunk);
+      std::uint32_t blocked = rays.sure;
+      const std::uint32_t in_doubt = rays.perhaps & ~rays.sure & active.masks[i];
+      if (HWY_UNLIKELY(in_doubt != 0)) blocked |= resolve(leaf, chunk, in_doubt);
+      rays_.open[chunk] &= static_cast<std::uint16_t>(~(blocked & active.masks[i]));
     }
   }
 
   // The rays in doubt, one by one.
-  HWY_NOINLINE std::uint32_t resolve(std::uint32_t primitive, const RaySet& rays, std::uint32_t lanes) const {
-    const TriangleTest test = make_test(layout_, primitive, query_);
+  HWY_NOINLINE std::uint32_t resolve(const Leaf& leaf, int chunk, std::uint32_t lanes) const {
     std::uint32_t blocked = 0;
-    for (; test.can_block() && lanes != 0; lanes &= lanes - 1) {
-      const int lane = std::countr_zero(lanes);
-      if (test.blocks({rays.x[lane], rays.y[lane], rays.z[lane]})) blocked |= 1u << lane;
+    for (int triangle = 0; triangle < leaf.triangle_count(); ++triangle) {
+      if (leaf.primitives[triangle] == query_.excluded_primitive) continue;
+      const TriangleTest test = make_test(layout_, leaf.primitives[triangle], query_);
+      for (std::uint32_t rest = test.can_block() ? lanes : 0; rest != 0; rest &= rest - 1) {
+        const int lane = std::countr_zero(rest);
+        if (test.blocks(query_.rays.ray(chunk * kLaneCount + lane))) blocked |= 1u << lane;
+      }
     }
     return blocked;
   }
@@ -137,7 +119,7 @@ class SimdTraversal {
   const Layout& layout_;
   const Query& query_;
   float near_;
-  RayPool rays_;
+  RaySet rays_;
   RayStream stream_;
 };
 

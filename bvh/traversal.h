@@ -14,6 +14,7 @@ namespace lkao::bvh {
 
 // What a receiver asks of the hierarchy.
 struct Query {
+  const Node& root;  // where to begin: layout.root(), or an entry node for the origin of the rays
   const ReceiverRays& rays;
   glm::vec3 up;  // geometric normal, unit length: no cast ray goes below its horizon
   float radius = 0;
@@ -48,7 +49,7 @@ class Traversal {
 
   // Rays that are blocked, of those that are cast.
   OcclusionMask run() {
-    if (!layout_.nodes.empty() && open_.any()) visit(layout_.nodes[0], open_);
+    if (open_.any()) visit(query_.root, open_);
     return query_.rays.cast & ~open_;
   }
 

@@ -14,67 +14,69 @@
 HWY_BEFORE_NAMESPACE();
 namespace lkao::bvh::HWY_NAMESPACE {
 
-// The faces of the boxes of a node's children, relative to the origin of the rays.
+// The boxes of a node's children, relative to the origin of the rays: centers and half sizes.
 class RelativeBoxes {
  public:
-  HWY_INLINE RelativeBoxes(const Node& node, const glm::vec3& origin) {
+  // Of the children, only those within reach of a sphere of `radius` above the horizon of `up` are of use: see reached().
+  HWY_INLINE RelativeBoxes(const Node& node, const glm::vec3& origin, const glm::vec3& up, float radius) {
     const BoxTag tag;
-    for (int axis = 0; axis < 3; ++axis) {
-      const auto from = hn::Set(tag, origin[axis]);
-      for (int i = 0; i < kWidth; i += lane_count(tag)) {
-        hn::Store(hn::Sub(hn::Load(tag, node.faces[0][axis] + i), from), tag, faces_[0][axis] + i);
-        hn::Store(hn::Sub(hn::Load(tag, node.faces[1][axis] + i), from), tag, faces_[1][axis] + i);
-      }
-    }
-  }
-
-  // Children that are not out of reach, as is_out_of_reach says. Empty children are.
-  HWY_INLINE std::uint32_t within_reach(const glm::vec3& up, float radius) const {
-    const BoxTag tag;
-    const auto zero = hn::Zero(tag), reach2 = hn::Set(tag, radius * radius * (1.0f + 0x1p-19f));
-    const auto slack = hn::Set(tag, 0x1p-20f);
-    std::uint32_t children = 0;
+    const auto zero = hn::Zero(tag), half = hn::Set(tag, 0.5f), slack = hn::Set(tag, 0x1p-20f);
+    const auto reach2 = hn::Set(tag, radius * radius * (1.0f + 0x1p-19f));
     for (int i = 0; i < kWidth; i += lane_count(tag)) {
       auto distance2 = zero, highest = zero, magnitude = zero;
       for (int axis = 0; axis < 3; ++axis) {
-        const auto lower = hn::Load(tag, faces_[0][axis] + i), upper = hn::Load(tag, faces_[1][axis] + i);
+        const auto from = hn::Set(tag, origin[axis]);
+        const auto lower = hn::Sub(hn::Load(tag, node.faces[0][axis] + i), from),
+                   upper = hn::Sub(hn::Load(tag, node.faces[1][axis] + i), from);
+        // As is_out_of_reach says. Empty children are.
         const auto gap = hn::Max(zero, hn::Max(lower, hn::Neg(upper)));
         distance2 = hn::MulAdd(gap, gap, distance2);
         const auto up_axis = hn::Set(tag, up[axis]);
         const auto height_of_lower = hn::Mul(up_axis, lower), height_of_upper = hn::Mul(up_axis, upper);
         highest = hn::Add(highest, hn::Max(height_of_lower, height_of_upper));
         magnitude = hn::Add(magnitude, hn::Max(hn::Abs(height_of_lower), hn::Abs(height_of_upper)));
+
+        // Rounding in all that follows moves a face by less than 2^-20 of the distance of the farther face.
+        const auto center = hn::Mul(half, hn::Add(lower, upper)), half_size = hn::Mul(half, hn::Sub(upper, lower));
+        hn::Store(center, tag, center_[axis] + i);
+        hn::Store(hn::MulAdd(slack, hn::Add(hn::Abs(center), half_size), half_size), tag, half_size_[axis] + i);
       }
       const auto near = hn::Le(distance2, reach2);
       const auto above = hn::Ge(highest, hn::Neg(hn::Mul(magnitude, slack)));
-      children |= bits_of(tag, hn::And(near, above)) << i;
+      reached_ |= bits_of(tag, hn::And(near, above)) << i;
     }
-    return children;
   }
 
-  // Of 16 rays, those that may meet a child's box within their length. As may_meet.
-  HWY_INLINE std::uint32_t rays_meeting(int child, const RaySet& rays) const {
+  // Children that rays may reach.
+  std::uint32_t reached() const { return reached_; }
+
+  // Of the 16 rays of a chunk, those that may meet a child's box within their length. As may_meet. Products that overflow can make
+  // NaN, for rays parallel to a face: whatever then becomes of the maxima, such a ray is kept.
+  HWY_INLINE std::uint32_t rays_meeting(int child, const RaySet& rays, int chunk) const {
     const RayTag tag;
-    const auto zero = hn::Zero(tag), one = hn::Set(tag, 1.0f), slack = hn::Set(tag, kBoxSlack);
-    std::uint32_t met = 0;
+    const auto zero = hn::Zero(tag), one = hn::Set(tag, 1.0f);
+    std::uint32_t missed = 0;
     for (int i = 0; i < kLaneCount; i += lane_count(tag)) {
-      const auto inverse_x = hn::LoadU(tag, rays.inverse_x + i), inverse_y = hn::LoadU(tag, rays.inverse_y + i),
-                 inverse_z = hn::LoadU(tag, rays.inverse_z + i);
-      const auto x0 = hn::Mul(hn::Set(tag, faces_[0][0][child]), inverse_x);
-      const auto x1 = hn::Mul(hn::Set(tag, faces_[1][0][child]), inverse_x);
-      const auto y0 = hn::Mul(hn::Set(tag, faces_[0][1][child]), inverse_y);
-      const auto y1 = hn::Mul(hn::Set(tag, faces_[1][1][child]), inverse_y);
-      const auto z0 = hn::Mul(hn::Set(tag, faces_[0][2][child]), inverse_z);
-      const auto z1 = hn::Mul(hn::Set(tag, faces_[1][2][child]), inverse_z);
-      const auto enter = hn::Max(hn::Max(hn::Min(x0, x1), hn::Min(y0, y1)), hn::Max(hn::Min(z0, z1), zero));
-      const auto leave = hn::Min(hn::Min(hn::Max(x0, x1), hn::Max(y0, y1)), hn::Min(hn::Max(z0, z1), one));
-      met |= bits_of(tag, hn::Le(enter, hn::Mul(leave, slack))) << i;
+      const int first = chunk * kLaneCount + i;
+      const auto x = hn::Load(tag, rays.inverse_x + first), y = hn::Load(tag, rays.inverse_y + first),
+                 z = hn::Load(tag, rays.inverse_z + first);
+      const auto to_x = hn::Mul(hn::Set(tag, center_[0][child]), x), to_y = hn::Mul(hn::Set(tag, center_[1][child]), y),
+                 to_z = hn::Mul(hn::Set(tag, center_[2][child]), z);
+      const auto size_x = hn::Set(tag, half_size_[0][child]), size_y = hn::Set(tag, half_size_[1][child]),
+                 size_z = hn::Set(tag, half_size_[2][child]);
+      const auto enter = hn::Max(hn::Max(hn::NegMulAdd(size_x, hn::Abs(x), to_x), hn::NegMulAdd(size_y, hn::Abs(y), to_y)),
+                                 hn::Max(hn::NegMulAdd(size_z, hn::Abs(z), to_z), zero));
+      const auto leave = hn::Min(hn::Min(hn::MulAdd(size_x, hn::Abs(x), to_x), hn::MulAdd(size_y, hn::Abs(y), to_y)),
+                                 hn::Min(hn::MulAdd(size_z, hn::Abs(z), to_z), one));
+      missed |= bits_of(tag, hn::Gt(enter, leave)) << i;
     }
-    return met;
+    return ~missed;
   }
 
  private:
-  alignas(64) float faces_[2][3][kWidth];  // lower and upper, by axis, then child
+  alignas(64) float center_[3][kWidth];
+  alignas(64) float half_size_[3][kWidth];
+  std::uint32_t reached_ = 0;
 };
 
 }  // namespace lkao::bvh::HWY_NAMESPACE

@@ -6,10 +6,14 @@
 #define LKAO_BVH_SIMD_LEAF_FRAMES_INL_H_
 #endif
 
+#include <bit>
+#include <limits>
+
 #include <hwy/highway.h>
 
 #include "bvh/layout.h"
 #include "bvh/simd/lanes-inl.h"
+#include "bvh/simd/ray_sets-inl.h"
 #include "bvh/traversal.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -17,10 +21,10 @@ namespace lkao::bvh::HWY_NAMESPACE {
 
 using Floats = hn::Vec<TriangleTag>;
 
-// Bits of rays or triangles: blocked for sure, and those that only TriangleTest can decide.
+// Bits of rays or triangles: blocked for sure, and perhaps, which only TriangleTest can decide.
 struct Verdict {
   std::uint32_t sure;
-  std::uint32_t in_doubt;
+  std::uint32_t perhaps;
 };
 
 // The triangles of a leaf as one receiver sees them, in single precision.
@@ -75,18 +79,17 @@ class LeafFrames {
     const auto u = hn::MulAdd(u_, towards, hn::Mul(distance_, dot(leaf_.u_gradient, rx, ry, rz)));
     const auto v = hn::MulAdd(v_, towards, hn::Mul(distance_, dot(leaf_.v_gradient, rx, ry, rz)));
     const Verdict verdict = judge(tag, u, v, towards, distance_, edge_slack_, own_slack_);
-    return {verdict.sure & candidates_, verdict.in_doubt & candidates_};
+    return {verdict.sure & candidates_, verdict.perhaps & candidates_};
   }
 
   // Where rays are beyond all planes, for sure or perhaps, as bits.
   template <class Tag, class V>
   HWY_INLINE static Verdict judge(Tag tag, V u, V v, V towards, V distance, V edge_slack, V own_slack) {
     const auto least = hn::Min(hn::Min(u, v), hn::Sub(towards, hn::Add(u, v))), beyond = hn::Sub(towards, distance);
-    // Infinite slacks and NaN are never less.
-    const auto missed = hn::Or(hn::Lt(least, hn::Neg(edge_slack)), hn::Lt(beyond, hn::Neg(own_slack)));
-    const auto met = hn::And(hn::Ge(least, edge_slack), hn::Ge(beyond, own_slack));
-    const std::uint32_t sure = bits_of(tag, met);
-    return {sure, ~(bits_of(tag, missed) | sure)};
+    // NaN is neither less than 0 nor more. Minima may drop it, but not if it comes second, as `least` does.
+    const auto missed = hn::Lt(hn::Min(hn::Add(beyond, own_slack), hn::Add(least, edge_slack)), hn::Zero(tag));
+    const auto met = hn::Gt(hn::Min(hn::Sub(beyond, own_slack), hn::Sub(least, edge_slack)), hn::Zero(tag));
+    return {bits_of(tag, met), ~bits_of(tag, missed)};
   }
 
  private:
@@ -137,30 +140,37 @@ class LeafPlanes {
     hn::Store(frames.distance_, tag, distance_);
     hn::Store(frames.edge_slack_, tag, edge_slack_);
     hn::Store(frames.own_slack_, tag, own_slack_);
-    for (int i = 0; i < kLeafWidth; ++i) candidates_[i] = (frames.candidates_ >> i & 1) != 0 ? ~0u : 0u;
-  }
-
-  // Of the rays of a chunk that the mask has: adds those that some triangle blocks for sure to `blocked`, and finds
-  // those in doubt by triangle.
-  HWY_INLINE void test(const RaySet& rays, std::uint32_t mask, std::uint32_t& blocked,
-                       std::uint32_t (&in_doubt)[kLeafWidth]) const {
-    const RayTag tag;
-    for (std::uint32_t& lanes : in_doubt) lanes = 0;
-    for (int i = 0; i < kLaneCount; i += lane_count(tag)) {
-      const auto x = hn::LoadU(tag, rays.x + i), y = hn::LoadU(tag, rays.y + i), z = hn::LoadU(tag, rays.z + i);
-      const std::uint32_t lanes = (1u << lane_count(tag)) - 1;
-      for (int triangle = 0; triangle < kLeafWidth; ++triangle) {
-        const Verdict verdict = LeafFrames::judge(
-            tag, dot(u_, triangle, x, y, z), dot(v_, triangle, x, y, z), dot(towards_, triangle, x, y, z),
-            hn::Set(tag, distance_[triangle]), hn::Set(tag, edge_slack_[triangle]), hn::Set(tag, own_slack_[triangle]));
-        const std::uint32_t wanted = mask & (candidates_[triangle] & lanes) << i;
-        blocked |= verdict.sure << i & wanted;
-        in_doubt[triangle] |= verdict.in_doubt << i & wanted;
-      }
+    // What cannot block a ray is too far away.
+    for (std::uint32_t rest = LeafFrames::kAllTriangles & ~frames.candidates_; rest != 0; rest &= rest - 1) {
+      distance_[std::countr_zero(rest)] = std::numeric_limits<float>::infinity();
     }
   }
 
+  // Of the rays of a chunk, those that some triangle blocks.
+  HWY_INLINE Verdict blocked(const RaySet& rays, int chunk) const {
+    const RayTag tag;
+    Verdict all{0, 0};
+    for (int i = 0; i < kLaneCount; i += lane_count(tag)) {
+      const int first = chunk * kLaneCount + i;
+      const auto x = hn::Load(tag, rays.x + first), y = hn::Load(tag, rays.y + first),
+                 z = hn::Load(tag, rays.z + first);
+      Verdict some{0, 0};
+      for (int triangle = 0; triangle < kLeafWidth; ++triangle) {
+        const Verdict one = LeafFrames::judge(tag, dot(u_, triangle, x, y, z), dot(v_, triangle, x, y, z),
+                                              dot(towards_, triangle, x, y, z), hn::Set(tag, distance_[triangle]),
+                                              hn::Set(tag, edge_slack_[triangle]), hn::Set(tag, own_slack_[triangle]));
+        some.sure |= one.sure;
+        some.perhaps |= one.perhaps;
+      }
+      all.sure |= (some.sure & kLanes) << i;
+      all.perhaps |= (some.perhaps & kLanes) << i;
+    }
+    return all;
+  }
+
  private:
+  static constexpr std::uint32_t kLanes = (1u << hn::MaxLanes(RayTag())) - 1;
+
   template <class V>
   static HWY_INLINE V dot(const float (&plane)[3][kLeafWidth], int triangle, V x, V y, V z) {
     const RayTag tag;
@@ -174,7 +184,6 @@ class LeafPlanes {
   alignas(64) float distance_[kLeafWidth];
   alignas(64) float edge_slack_[kLeafWidth];
   alignas(64) float own_slack_[kLeafWidth];
-  std::uint32_t candidates_[kLeafWidth];  // all bits or none
 };
 
 }  // namespace lkao::bvh::HWY_NAMESPACE

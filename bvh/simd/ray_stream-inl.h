@@ -26,20 +26,25 @@ namespace lkao::bvh::HWY_NAMESPACE {
 // waits for memory nor guesses wrong as it does when it follows one ray after the other.
 class RayStream {
  public:
-  RayStream(const Layout& layout, const Query& query, RayPool& rays, float near)
+  RayStream(const Layout& layout, const Query& query, RaySet& rays, float near)
       : layout_(layout), query_(query), rays_(rays), near_(near) {}
 
-  // Adds some rays of a set that may meet a child.
-  HWY_INLINE void push(ChildRef child, const RaySet& set, const ActiveChunks& active) {
+  // Adds some rays that may meet a child.
+  HWY_INLINE void push(ChildRef child, const ActiveChunks& active) {
+    const hn::CappedTag<std::uint32_t, kLaneCount> tag;
     Pairs& pairs = child.is_leaf() ? leaves_ : nodes_;
+    const auto index = hn::Set(tag, child.index());
     for (int i = 0; i < active.count; ++i) {
-      const std::uint32_t mask = active.masks[i];
-      compress(set.from(active.chunks[i]).numbers, mask, pairs.rays + pairs.count);
-      const hn::CappedTag<std::uint32_t, kLaneCount> tag;
+      std::uint32_t mask = active.masks[i];
+      auto rays = hn::Iota(tag, static_cast<std::uint32_t>(active.chunks[i]) * kLaneCount);
       for (int lane = 0; lane < kLaneCount; lane += lane_count(tag)) {
-        hn::StoreU(hn::Set(tag, child.index()), tag, pairs.children + pairs.count + lane);
+        const std::uint32_t lanes = mask & ((1u << lane_count(tag)) - 1);
+        hn::StoreU(hn::Compress(rays, mask_of(tag, lanes)), tag, pairs.rays + pairs.count);
+        hn::StoreU(index, tag, pairs.children + pairs.count);
+        pairs.count += std::popcount(lanes);
+        mask >>= lane_count(tag);
+        rays = hn::Add(rays, hn::Set(tag, static_cast<std::uint32_t>(lane_count(tag))));
       }
-      pairs.count += std::popcount(mask);
     }
     if (pairs.count > kFull) run();
   }
@@ -103,7 +108,6 @@ class RayStream {
     const BoxTag tag;
     const hn::RebindToUnsigned<BoxTag> bits_tag;
     const hn::RebindToSigned<BoxTag> signed_tag;
-    const RaySet all = rays_.all();
     const Node* const nodes = layout_.nodes.data();
     const glm::vec3 origin = query_.rays.origin;
     const auto ox = hn::Set(tag, origin.x), oy = hn::Set(tag, origin.y), oz = hn::Set(tag, origin.z);
@@ -111,8 +115,8 @@ class RayStream {
     for (int k = 0; k < batch.count; ++k) {
       const Node& node = nodes[batch.nodes[k]];
       const std::uint32_t ray = batch.rays[k];
-      const auto x = hn::Set(tag, all.inverse_x[ray]), y = hn::Set(tag, all.inverse_y[ray]),
-                 z = hn::Set(tag, all.inverse_z[ray]);
+      const auto x = hn::Set(tag, rays_.inverse_x[ray]), y = hn::Set(tag, rays_.inverse_y[ray]),
+                 z = hn::Set(tag, rays_.inverse_z[ray]);
       // The slab test of may_meet.
       for (int i = 0; i < kWidth; i += lane_count(tag)) {
         const auto at = [&](int face, int axis, auto from, auto inverse) {
@@ -158,10 +162,9 @@ class RayStream {
 
   HWY_INLINE void visit(const Leaf& leaf, std::uint32_t ray) {
     const LeafFrames frames(layout_, leaf, query_, near_);
-    const RaySet& all = rays_.all();
-    const Verdict triangles = frames.blocked(all.x[ray], all.y[ray], all.z[ray]);
-    if ((triangles.sure | triangles.in_doubt) == 0) return;
-    if (triangles.sure != 0 || resolve(leaf, ray, triangles.in_doubt)) rays_.close(ray);
+    const Verdict triangles = frames.blocked(rays_.x[ray], rays_.y[ray], rays_.z[ray]);
+    if (triangles.perhaps == 0) return;
+    if (triangles.sure != 0 || resolve(leaf, ray, triangles.perhaps)) rays_.close(ray);
   }
 
   // Does any of the triangles in doubt block the ray?
@@ -175,7 +178,7 @@ class RayStream {
 
   const Layout& layout_;
   const Query& query_;
-  RayPool& rays_;
+  RaySet& rays_;
   float near_;
   Pairs nodes_;   // indices into layout_.nodes
   Pairs leaves_;  // into layout_.leaves

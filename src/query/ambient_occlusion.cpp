@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "bvh/entry_node.h"
 #include "bvh/scalar_kernel.h"
 #include "bvh/simd_kernel.h"
 #include "bvh/table_kernel.h"
@@ -44,13 +45,13 @@ float largest_coordinate(const OccluderBvh& occluders) {
   return largest;
 }
 
-// Fills `rays` with the rays that the receiver casts and finds those that are blocked.
+// Fills `rays` with the rays that the receiver casts and finds those that are blocked, from `root` on down.
 OcclusionMask trace(const AmbientOcclusion& ao, const query::PatternLanes& lanes, float largest_coordinate,
-                    const Receiver& receiver, std::uint64_t index, ReceiverRays& rays) {
+                    const bvh::Node& root, const Receiver& receiver, std::uint64_t index, ReceiverRays& rays) {
   const QueryOptions& options = ao.options();
   query::make_rays(receiver, lanes, options, largest_coordinate, index, rays);
   if (!rays.cast.any()) return {};
-  const bvh::Query query{rays, query::geometric_normal(receiver), options.radius, options.sidedness,
+  const bvh::Query query{root,           rays, query::geometric_normal(receiver), options.radius, options.sidedness,
                          receiver.excluded_primitive};
   const bvh::Layout& layout = ao.occluders().layout();
   if (ao.table()) return bvh::trace_table(layout, query, *ao.table(), options.node_masks);
@@ -76,16 +77,23 @@ AmbientOcclusion::AmbientOcclusion(OccluderBvh occluders, PlaneMaskTable table, 
 
 ReceiverOcclusion AmbientOcclusion::query(const Receiver& receiver, std::uint64_t index) const {
   ReceiverRays rays;
-  const OcclusionMask blocked = trace(*this, *lanes_, largest_coordinate_, receiver, index, rays);
+  const OcclusionMask blocked =
+      trace(*this, *lanes_, largest_coordinate_, occluders_.layout().root(), receiver, index, rays);
   return query::make_answer(pattern_, receiver, rays, blocked);
 }
 
 QueryReport AmbientOcclusion::query(std::span<const Receiver> receivers, const QueryOutputs& outputs,
                                     std::uint64_t first_index) const {
-  return query::run_batch(pattern_, receivers, outputs, first_index,
-                          [this](const Receiver& receiver, std::uint64_t index, ReceiverRays& rays) {
-                            return trace(*this, *lanes_, largest_coordinate_, receiver, index, rays);
-                          });
+  const auto answer_part = [&](std::size_t first, std::size_t last, const auto& take) {
+    const std::span<const Receiver> part = receivers.subspan(first, last - first);
+    const bvh::Node root = bvh::make_entry_node(
+        occluders_.layout(), query::bounds_of_origins(part, options_, largest_coordinate_), options_.radius);
+    ReceiverRays rays;
+    for (std::size_t k = first; k < last; ++k) {
+      take(k, rays, trace(*this, *lanes_, largest_coordinate_, root, receivers[k], first_index + k, rays));
+    }
+  };
+  return query::run_batch(pattern_, receivers, outputs, answer_part);
 }
 
 ReceiverRays AmbientOcclusion::rays(const Receiver& receiver, std::uint64_t index) const {

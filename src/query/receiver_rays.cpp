@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "bvh/zero_area.h"
@@ -30,6 +32,11 @@ void make_tangents(const glm::dvec3& n, glm::dvec3& tangent, glm::dvec3& bitange
 
 float largest_component(const glm::vec3& v) {
   return std::max(std::fabs(v.x), std::max(std::fabs(v.y), std::fabs(v.z)));
+}
+
+// How far the rays start above the surface.
+float offset_of(const Receiver& receiver, const QueryOptions& options, float largest_coordinate) {
+  return options.surface_offset * 0x1p-24f * std::max(largest_component(receiver.position), largest_coordinate);
 }
 
 }  // namespace
@@ -74,6 +81,18 @@ PatternLanes::PatternLanes(const SamplePattern& pattern)
   }
 }
 
+Bounds bounds_of_origins(std::span<const Receiver> receivers, const QueryOptions& options, float largest_coordinate) {
+  Bounds bounds{glm::vec3(std::numeric_limits<float>::infinity()), glm::vec3(-std::numeric_limits<float>::infinity())};
+  for (const Receiver& receiver : receivers) {
+    if (!bvh::is_finite(receiver.position)) continue;
+    // Twice the offset: rounding included.
+    const glm::vec3 offset(2 * offset_of(receiver, options, largest_coordinate));
+    bounds.lower = glm::min(bounds.lower, receiver.position - offset);
+    bounds.upper = glm::max(bounds.upper, receiver.position + offset);
+  }
+  return bounds;
+}
+
 void make_rays(const Receiver& receiver, const PatternLanes& pattern, const QueryOptions& options,
                float largest_coordinate, std::uint64_t index, ReceiverRays& rays) {
     rays.cast = OcclusionMask();
@@ -82,8 +101,7 @@ void make_rays(const Receiver& receiver, const PatternLanes& pattern, const Quer
   if (!is_valid(receiver)) return;
 
   const glm::vec3 up = geometric_normal(receiver);
-  const float largest = std::max(largest_component(receiver.position), largest_coordinate);
-  rays.origin = receiver.position + up * (options.surface_offset * 0x1p-24f * largest);
+  rays.origin = receiver.position + up * offset_of(receiver, options, largest_coordinate);
 
   rays.frame = jittered_frame(receiver, options.jitter, pattern.lowest_elevation, options.seed, index);
   turn_pattern(pattern, rays.frame, options.radius, up, rays);

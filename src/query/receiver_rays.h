@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "lkao/ambient_occlusion.h"
@@ -30,6 +31,10 @@ struct PatternLanes {
   std::vector<float> x, y, z, length;
   float lowest_elevation;
 };
+
+// A box around the origins of the rays of all valid receivers; lower > upper where there is none.
+// `largest_coordinate` is the occluders'.
+Bounds bounds_of_origins(std::span<const Receiver> receivers, const QueryOptions& options, float largest_coordinate);
 
 // The pattern at the receiver; `cast` is empty where the receiver is invalid. `largest_coordinate` is the occluders'.
 void make_rays(const Receiver& receiver, const PatternLanes& pattern, const QueryOptions& options,

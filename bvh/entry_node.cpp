@@ -1,0 +1,85 @@
+#include "bvh/entry_node.h"
+
+#include <algorithm>
+
+namespace lkao::bvh {
+namespace {
+
+bool is_within_reach(const Bounds& box, const Bounds& origins, float radius) {
+  float distance2 = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const float gap =
+        std::max({0.0f, box.lower[axis] - origins.upper[axis], origins.lower[axis] - box.upper[axis]});
+    distance2 += gap * gap;
+  }
+  return distance2 <= radius * radius * (1.0f + 0x1p-19f);
+}
+
+float half_area(const Bounds& box) {
+  const glm::vec3 size = box.upper - box.lower;
+  return size.x * size.y + size.y * size.z + size.z * size.x;
+}
+
+class EntryNode {
+ public:
+  EntryNode(const Layout& layout, const Bounds& origins, float radius)
+      : layout_(layout), origins_(origins), radius_(radius), node_(Node::empty()) {}
+
+  Node make() {
+    add_children_of(layout_.root());
+    while (open_one()) {
+    }
+    return node_;
+  }
+
+ private:
+  int reached_count(const Node& node) const {
+    int count = 0;
+    for (int i = 0; i < kWidth && !node.children[i].is_empty(); ++i) {
+      count += is_within_reach(node.child_bounds(i), origins_, radius_);
+    }
+    return count;
+  }
+
+  void add_children_of(const Node& node) {
+    for (int i = 0; i < kWidth && !node.children[i].is_empty(); ++i) {
+      const Bounds box = node.child_bounds(i);
+      if (is_within_reach(box, origins_, radius_)) node_.set_child(count_++, box, node.children[i]);
+    }
+  }
+
+  // Replaces the largest child that leaves room for its children by them. False where there is none.
+  bool open_one() {
+    int largest = -1;
+    float largest_area = -1;
+    for (int i = 0; i < count_; ++i) {
+      if (node_.children[i].is_leaf()) continue;
+      const float area = half_area(node_.child_bounds(i));
+      if (area > largest_area && count_ - 1 + reached_count(layout_.nodes[node_.children[i].index()]) <= kWidth) {
+        largest = i;
+        largest_area = area;
+      }
+    }
+    if (largest < 0) return false;
+    const Node& opened = layout_.nodes[node_.children[largest].index()];
+    --count_;
+    node_.set_child(largest, node_.child_bounds(count_), node_.children[count_]);
+    node_.clear_child(count_);
+    add_children_of(opened);
+    return true;
+  }
+
+  const Layout& layout_;
+  const Bounds& origins_;
+  float radius_;
+  Node node_;
+  int count_ = 0;
+};
+
+}  // namespace
+
+Node make_entry_node(const Layout& layout, const Bounds& origins, float radius) {
+  return EntryNode(layout, origins, radius).make();
+}
+
+}  // namespace lkao::bvh
