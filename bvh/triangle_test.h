@@ -31,8 +31,8 @@ class TriangleTest {
     const glm::dvec3 a = glm::dvec3(corner_a) - glm::dvec3(origin);
     const glm::dvec3 b = glm::dvec3(corner_b) - glm::dvec3(origin);
     const glm::dvec3 c = glm::dvec3(corner_c) - glm::dvec3(origin);
-    normal_ = glm::cross(b - a, c - a);
-    const double size = norm(b - a) * norm(c - a);
+    normal_ = precise_cross(b - a, c - a);
+    const double size = norm(normal_) + 0x1p-52 * norm(b - a) * norm(c - a);
     // The plane is at `distance_` times the normal, which may point either way.
     distance_ = glm::dot(a, normal_);
     // In front means on the side that the normal points to: there the origin sees a negative distance.
@@ -60,11 +60,13 @@ class TriangleTest {
   // True where the origin lies on the side that the triangle faces. Requires can_block().
   bool in_front() const { return in_front_; }
 
-  // True where the segment (0, ray], relative to the origin, meets the triangle. Requires can_block().
+  // True where the segment (0, ray], relative to the origin, meets the triangle; there is none where the ray is 0.
+  // Requires can_block().
   bool blocks(const glm::vec3& ray) const {
     const glm::dvec3 r(ray);
-    return glm::dot(r, edges_[0]) >= -edge_slacks_[0] && glm::dot(r, edges_[1]) >= -edge_slacks_[1] &&
-           glm::dot(r, edges_[2]) >= -edge_slacks_[2] && glm::dot(r, normal_) >= distance_ - normal_slack_;
+    return ray != glm::vec3(0) && glm::dot(r, edges_[0]) >= -edge_slacks_[0] &&
+           glm::dot(r, edges_[1]) >= -edge_slacks_[1] && glm::dot(r, edges_[2]) >= -edge_slacks_[2] &&
+           glm::dot(r, normal_) >= distance_ - normal_slack_;
   }
 
   // The planes, for kernels that decide by other means first. Normals are not of unit length; rays beyond all of
@@ -85,10 +87,20 @@ class TriangleTest {
 
   static double norm(const glm::dvec3& v) { return std::fabs(v.x) + std::fabs(v.y) + std::fabs(v.z); }
 
+  // a b - c d
+  static double precise_difference(double a, double b, double c, double d) {
+    const double first = a * b, second = c * d;
+    return (first - second) + (std::fma(a, b, -first) - std::fma(c, d, -second));
+  }
+  static glm::dvec3 precise_cross(const glm::dvec3& a, const glm::dvec3& b) {
+    return {precise_difference(a.y, b.z, a.z, b.y), precise_difference(a.z, b.x, a.x, b.z),
+            precise_difference(a.x, b.y, a.y, b.x)};
+  }
+
   void set_edge(int edge, const glm::dvec3& from, const glm::dvec3& to, double facing) {
     const glm::dvec3 sum = from + to, along = to - from;
-    edges_[edge] = facing * glm::cross(sum, along);
-    edge_slacks_[edge] = kRounding * norm(sum) * norm(along) * ray_norm_;
+    edges_[edge] = facing * precise_cross(sum, along);
+    edge_slacks_[edge] = kRounding * (norm(edges_[edge]) + 0x1p-52 * norm(sum) * norm(along)) * ray_norm_;
   }
 
   double ray_norm_;  // L1 norm of the longest ray
