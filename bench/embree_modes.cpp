@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include <fmt/format.h>
+#include <tbb/parallel_for.h>
 
 #include "reference/cast_rays.h"
 
@@ -123,6 +124,9 @@ void cast_receiver(int width, const ReceiverRays& rays, RTCScene scene, RTCInter
 
 constexpr int kGroupSize = 16;
 
+// What a thread takes at a time.
+constexpr std::size_t kPartSize = 2 * kGroupSize;
+
 // Ray by ray, for up to kGroupSize receivers at once. Their masks follow each other in `words`.
 void cast_group(std::span<const ReceiverRays> group, int ray_count, RTCScene scene, RTCIntersectContext& context,
                 std::uint64_t* words) {
@@ -143,14 +147,36 @@ void cast_group(std::span<const ReceiverRays> group, int ray_count, RTCScene sce
   }
 }
 
-void cast_groups(RTCScene scene, RTCIntersectContext& context, const AmbientOcclusion& ao,
-                 std::span<const Receiver> receivers, std::uint64_t* words) {
-  const std::size_t word_count = static_cast<std::size_t>(ao.pattern().word_count());
-  std::vector<ReceiverRays> group(kGroupSize);
-  for (std::size_t first = 0; first < receivers.size(); first += kGroupSize) {
-    const std::size_t size = std::min<std::size_t>(kGroupSize, receivers.size() - first);
-    for (std::size_t i = 0; i < size; ++i) ao.rays(receivers[first + i], first + i, group[i]);
-    cast_group(std::span(group).first(size), ao.pattern().ray_count(), scene, context, words + first * word_count);
+// Receivers [first, last) of all. Their masks are in `words`, which is of all.
+struct Part {
+  const AmbientOcclusion& ao;
+  std::span<const Receiver> receivers;
+  std::size_t first, last;
+  std::uint64_t* words;
+
+  std::uint64_t* words_of(std::size_t k) const {
+    return words + k * static_cast<std::size_t>(ao.pattern().word_count());
+  }
+};
+
+void cast_groups(RTCScene scene, RTCIntersectContext& context, const Part& part) {
+  thread_local std::vector<ReceiverRays> group(kGroupSize);  // 200 KiB, too much to clear for every part
+  for (std::size_t first = part.first; first < part.last; first += kGroupSize) {
+    const std::size_t size = std::min<std::size_t>(kGroupSize, part.last - first);
+    for (std::size_t i = 0; i < size; ++i) part.ao.rays(part.receivers[first + i], first + i, group[i]);
+    cast_group(std::span(group).first(size), part.ao.pattern().ray_count(), scene, context, part.words_of(first));
+  }
+}
+
+void cast_part(const EmbreeMode& mode, RTCScene scene, const Part& part) {
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  context.flags = mode.flag;
+  if (mode.packing == Packing::receivers) return cast_groups(scene, context, part);
+  ReceiverRays rays;
+  for (std::size_t k = part.first; k < part.last; ++k) {
+    part.ao.rays(part.receivers[k], k, rays);
+    cast_receiver(mode.width, rays, scene, context, part.words_of(k));
   }
 }
 
@@ -172,17 +198,12 @@ std::vector<EmbreeMode> all_embree_modes() {
 
 void cast(const EmbreeMode& mode, RTCScene scene, const AmbientOcclusion& ao, std::span<const Receiver> receivers,
           std::span<std::uint64_t> mask_words) {
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  context.flags = mode.flag;
   std::fill(mask_words.begin(), mask_words.end(), 0);
-  if (mode.packing == Packing::receivers) return cast_groups(scene, context, ao, receivers, mask_words.data());
-  const std::size_t word_count = static_cast<std::size_t>(ao.pattern().word_count());
-  ReceiverRays rays;
-  for (std::size_t k = 0; k < receivers.size(); ++k) {
-    ao.rays(receivers[k], k, rays);
-    cast_receiver(mode.width, rays, scene, context, mask_words.data() + k * word_count);
-  }
+  const std::size_t part_count = (receivers.size() + kPartSize - 1) / kPartSize;
+  tbb::parallel_for(std::size_t{0}, part_count, [&](std::size_t i) {
+    const std::size_t first = i * kPartSize, last = std::min(first + kPartSize, receivers.size());
+    cast_part(mode, scene, {ao, receivers, first, last, mask_words.data()});
+  });
 }
 
 }  // namespace lkao::bench

@@ -29,9 +29,9 @@ struct EmbreeMode {
 // All widths and packings, coherent and incoherent.
 std::vector<EmbreeMode> all_embree_modes();
 
-// Makes the rays of receiver k (index k) and casts them, in the calling thread. Rays without length are left out, since
-// segments are open at the receiver. Excluded primitives and sidedness are not looked at. `mask_words` as in
-// QueryOutputs; overwritten.
+// Makes the rays of receiver k (index k) and casts them, in parallel in the caller's TBB arena. Rays without length are
+// left out, since segments are open at the receiver. Excluded primitives and sidedness are not looked at. `mask_words`
+// as in QueryOutputs; overwritten.
 void cast(const EmbreeMode& mode, RTCScene scene, const AmbientOcclusion& ao, std::span<const Receiver> receivers,
           std::span<std::uint64_t> mask_words);
 

@@ -9,9 +9,11 @@
 #include <utility>
 
 #include <tbb/global_control.h>
+#include <tbb/task_arena.h>
 
 #include "cli/stopwatch.h"
 #include "embree_modes.h"
+#include "lkao/isa.h"
 
 namespace lkao::bench {
 namespace {
@@ -20,6 +22,7 @@ using Masks = std::vector<std::uint64_t>;
 
 struct Method {
   std::string name;
+  std::string isa;
   int round_count;
   std::function<void(Masks&)> answer;
   std::vector<double> seconds = {};  // a round each
@@ -51,6 +54,7 @@ void run_rounds(std::vector<Method>& methods, int round_count) {
   for (int round = 0; round < round_count; ++round) {
     for (Method& method : methods) {
       if (round >= method.round_count) continue;
+      force_isa(method.isa);
       const cli::Stopwatch time;
       method.answer(method.masks);
       method.seconds.push_back(time.seconds());
@@ -60,8 +64,8 @@ void run_rounds(std::vector<Method>& methods, int round_count) {
 
 }  // namespace
 
-const MethodResult& Cell::result(const std::string& method) const {
-  return fastest(results, [&](const std::string& name) { return name == method; });
+const MethodResult& Cell::scalar() const {
+  return fastest(results, [](std::string_view name) { return name == kScalarMethod; });
 }
 
 const MethodResult& Cell::best_embree() const {
@@ -72,7 +76,7 @@ const MethodResult& Cell::occluded1() const {
   return fastest(results, [](std::string_view name) { return name.starts_with("embree1_"); });
 }
 
-void measure(const CellInput& input, int round_count, Cell& cell) {
+void measure(const CellInput& input, const MeasureOptions& options, Cell& cell) {
   const SamplePattern& pattern = SamplePattern::standard(cell.ray_count);
   const auto make_query = [&](Kernel kernel) {
     return AmbientOcclusion(*input.occluders, pattern, {.radius = cell.radius, .kernel = kernel});
@@ -84,23 +88,25 @@ void measure(const CellInput& input, int round_count, Cell& cell) {
   const std::uint64_t ray_count = input.oracle->query(simd, input.receivers, {.mask_words = expected}).ray_count;
 
   std::vector<Method> methods;
-  const auto add_kernel = [&](const char* name, int rounds, const AmbientOcclusion& ao) {
-    methods.push_back({name, rounds, [&](Masks& masks) { ao.query(input.receivers, {.mask_words = masks}); }});
+  const auto add_kernel = [&](const char* name, const std::string& isa, int rounds, const AmbientOcclusion& ao) {
+    methods.push_back({name, isa, rounds, [&](Masks& masks) { ao.query(input.receivers, {.mask_words = masks}); }});
   };
-  add_kernel(kSimdMethod, round_count, simd);
-  add_kernel(kScalarMethod, 1, scalar);
+  const std::string& main_isa = cell.isas.front();
+  for (const std::string& isa : cell.isas) add_kernel(kSimdMethod, isa, options.round_count, simd);
+  add_kernel(kScalarMethod, main_isa, 1, scalar);
   for (const EmbreeMode& mode : all_embree_modes()) {
-    methods.push_back({mode.name(), round_count,
+    methods.push_back({mode.name(), main_isa, options.round_count,
                        [&, mode](Masks& masks) { cast(mode, input.rival->plain(), simd, input.receivers, masks); }});
   }
   for (Method& method : methods) method.masks.resize(expected.size());
 
-  const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
-  run_rounds(methods, round_count);
+  const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
+                                    static_cast<std::size_t>(options.thread_count));
+  tbb::task_arena(options.thread_count).execute([&] { run_rounds(methods, options.round_count); });
 
   const double rays = static_cast<double>(ray_count);
   for (const Method& method : methods) {
-    cell.results.push_back({method.name, rays / median(method.seconds) * 1e-6,
+    cell.results.push_back({method.name, method.isa, rays / median(method.seconds) * 1e-6,
                             static_cast<double>(count_differences(method.masks, expected)) / rays});
   }
 }

@@ -17,6 +17,7 @@ inline constexpr const char* kScalarMethod = "lkao_scalar";
 
 struct MethodResult {
   std::string method;
+  std::string isa;
   double mrays_per_second = 0;  // of rays above the horizon, making them included; the median of the rounds
   double mismatch_rate = 0;     // share of the rays whose answer differs from robust Embree's
 };
@@ -25,10 +26,11 @@ struct Cell {
   std::string scene;
   float radius = 0;
   int ray_count = 0;
-  std::string isa;
+  std::vector<std::string> isas;      // of lkao's SIMD kernel; the first is the one that Embree is compared with
   std::vector<MethodResult> results;  // lkao's kernels, then Embree's modes
 
-  const MethodResult& result(const std::string& method) const;
+  const MethodResult& simd() const { return results.front(); }  // on the first of `isas`
+  const MethodResult& scalar() const;
   const MethodResult& best_embree() const;
   // The better of the two flags.
   const MethodResult& occluded1() const;
@@ -41,8 +43,13 @@ struct CellInput {
   std::span<const Receiver> receivers;  // two-sided, none excludes a primitive
 };
 
-// Measures in one thread, all methods in turn, round after round; the scalar kernel in the first round only. Fills
-// `cell.results` for its radius and ray count.
-void measure(const CellInput& input, int round_count, Cell& cell);
+struct MeasureOptions {
+  int round_count = 5;
+  int thread_count = 1;
+};
+
+// Measures all methods in turn, round after round; the scalar kernel in the first round only. Fills `cell.results` for
+// its radius, ray count and instruction sets, and leaves the first of these forced.
+void measure(const CellInput& input, const MeasureOptions& options, Cell& cell);
 
 }  // namespace lkao::bench

@@ -1,4 +1,4 @@
-// lkao-bench rays: lkao against every mode of Embree, on the same rays, in one thread.
+// lkao-bench rays: lkao against every mode of Embree, on the same rays.
 #include <cstdio>
 #include <fstream>
 #include <memory>
@@ -23,16 +23,19 @@ namespace {
 struct Options {
   StudySceneOptions scenes = {.views = {}, .names = {}, .width = 1024, .height = 768};
   std::vector<int> ray_counts = {128, 1024};
-  int round_count = 5;
+  MeasureOptions measure;
   int tile_count = 4;
   std::string isa;
   std::string csv;
 };
 
+// lkao is limited to one instruction set: by an option or by the environment.
+bool is_limited(const Options& options) { return !options.isa.empty() || active_isa() != available_isas().front(); }
+
 // What limits Embree to the instruction set that lkao is limited to. Nothing where lkao is not.
-std::optional<std::string> embree_config(bool forced) {
+std::optional<std::string> embree_config(const Options& options) {
   const std::string isa = active_isa();
-  if (!forced && isa == available_isas().front()) return std::nullopt;
+  if (!is_limited(options)) return std::nullopt;
   if (isa.starts_with("avx3") || isa.starts_with("avx10")) return "isa=avx512";
   if (isa == "avx2") return "isa=avx2";
   if (isa == "sse4") return "isa=sse4.2";
@@ -63,11 +66,16 @@ class CsvFile {
 class Comparison {
  public:
   explicit Comparison(const Options& options)
-      : options_(options), config_(embree_config(!options.isa.empty())), csv_(options.csv) {}
+      : options_(options),
+        names_(study_scene_names(options.scenes)),
+        isas_(is_limited(options) ? std::vector{active_isa()} : available_isas()),
+        config_(embree_config(options)),
+        csv_(options.csv) {}
 
   void run() {
+    if (options_.measure.thread_count > 1) fmt::print("{} threads\n", options_.measure.thread_count);
     fmt::print("{}", rays_table_heading());
-    for (const std::string& name : study_scene_names(options_.scenes)) {
+    for (const std::string& name : names_) {
       StudySceneOptions one = options_.scenes;
       one.names = {name};
       measure_scene(load_study_scenes(one).front());
@@ -85,8 +93,8 @@ class Comparison {
     const reference::EmbreeReference oracle(scene.mesh, {});
     for (const float radius : scene.radii) {
       for (const int ray_count : options_.ray_counts) {
-        Cell cell{scene.name, radius, ray_count, active_isa(), {}};
-        measure({&occluders, &rival, &oracle, receivers}, options_.round_count, cell);
+        Cell cell{scene.name, radius, ray_count, isas_, {}};
+        measure({&occluders, &rival, &oracle, receivers}, options_.measure, cell);
         csv_.write(rays_csv_rows(cell));
         fmt::print("{}", rays_table_row(cell));
         std::fflush(stdout);
@@ -96,6 +104,8 @@ class Comparison {
   }
 
   Options options_;
+  std::vector<std::string> names_;
+  std::vector<std::string> isas_;
   std::optional<std::string> config_;
   CsvFile csv_;
   std::vector<Cell> cells_;
@@ -113,18 +123,23 @@ void check(const Options& options) {
 
 Command add_rays_command(CLI::App& program) {
   auto options = std::make_shared<Options>();
-  CLI::App* app = program.add_subcommand("rays", "Millions of rays a second, one thread, lkao against Embree.");
+  CLI::App* app = program.add_subcommand("rays", "Millions of rays a second, lkao against Embree.");
   app->add_option("--views", options->scenes.views, "scenes of this views.json instead of built-in ones");
   app->add_option("--scenes", options->scenes.names, "names of scenes (default: all; built in: atrium, city)")
       ->delimiter(',');
   app->add_option("--samples", options->ray_counts, "rays a receiver")->delimiter(',')->capture_default_str();
-  app->add_option("--rounds", options->round_count, "of which the median counts")
+  app->add_option("--rounds", options->measure.round_count, "of which the median counts")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
   app->add_option("--tiles", options->tile_count, "32 x 32 pixels each, of the view at 1024 x 768")
       ->check(CLI::Range(1, 768))
       ->capture_default_str();
-  app->add_option("--isa", options->isa, "instruction set of both: avx512, avx2, sse4, ... (default: the best)");
+  app->add_option("--threads", options->measure.thread_count, "of every method")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  app->add_option(
+      "--isa", options->isa,
+      "instruction set of both: avx512, avx2, sse4, ... (default: the best, and the others for lkao alone)");
   app->add_option("--csv", options->csv, "write every measurement to this file");
   return {app, [options] {
             check(*options);

@@ -57,12 +57,22 @@ std::vector<std::string> names_in(const json& views) {
   return names;
 }
 
+// The scenes that are asked for by name, all of them where none is.
+std::vector<std::string> chosen_names(const json& views, const StudySceneOptions& options) {
+  const std::vector<std::string> known = names_in(views);
+  for (const std::string& name : options.names) {
+    if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+    throw std::runtime_error(fmt::format("{}: has no scene '{}'", options.views, name));
+  }
+  if (known.empty()) throw std::runtime_error(fmt::format("{}: has no scenes", options.views));
+  return options.names.empty() ? known : options.names;
+}
+
 std::vector<StudyScene> load_views(const StudySceneOptions& options) {
   return read_views(options.views, [&](const json& views) {
     std::vector<StudyScene> scenes;
-    for (const std::string& name : options.names.empty() ? names_in(views) : options.names) {
+    for (const std::string& name : chosen_names(views, options)) {
       const auto view = std::find_if(views.begin(), views.end(), [&](const json& v) { return v.at("name") == name; });
-      if (view == views.end()) throw std::runtime_error(fmt::format("{}: has no scene '{}'", options.views, name));
       scenes.push_back(load_view(*view, options));
     }
     return scenes;
@@ -72,9 +82,12 @@ std::vector<StudyScene> load_views(const StudySceneOptions& options) {
 }  // namespace
 
 std::vector<std::string> study_scene_names(const StudySceneOptions& options) {
-  if (!options.names.empty()) return options.names;
-  if (options.views.empty()) return {"atrium", "city"};
-  return read_views(options.views, names_in);
+  if (!options.views.empty()) {
+    return read_views(options.views, [&](const json& views) { return chosen_names(views, options); });
+  }
+  if (options.names.empty()) return {"atrium", "city"};
+  for (const std::string& name : options.names) scene::builtin_scene(name);  // throws where there is none
+  return options.names;
 }
 
 std::vector<StudyScene> load_study_scenes(const StudySceneOptions& options) {
