@@ -1,0 +1,189 @@
+// A small renderer on Embree, and what it takes to give it lkao: the lines marked "lkao".
+//
+//   host_renderer builtin:atrium --ao both -o atrium.png
+//
+// Camera rays find the point that each pixel sees. Its ambient occlusion is the share of cosine-weighted shadow rays
+// that are blocked within a radius. With `--ao embree` the renderer casts them one after the other, as it always did;
+// with `--ao lkao` one query answers all of them; with `--ao both` it does one after the other, and compares.
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <exception>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include <embree3/rtcore.h>
+#include <fmt/format.h>
+#include <lkao/lkao.h>  // lkao
+#include <tbb/parallel_for.h>
+#include <CLI/CLI.hpp>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+#include "cli/stopwatch.h"
+#include "image/image.h"
+#include "image/metrics.h"
+#include "reference/embree_scene.h"
+#include "scene/builtin.h"
+#include "scene/load.h"
+
+namespace {
+
+struct Options {
+  std::string scene = "builtin:atrium", ao = "embree", output;
+  float radius = 0;
+  int ray_count = 128, width = 640, height = 480;
+};
+
+// The renderer's scene: a mesh, and Embree over it.
+struct Scene {
+  const lkao::scene::Mesh& mesh;
+  lkao::reference::EmbreeScene embree;
+};
+
+// What a pixel sees. The normal is the triangle's, turned to the eye; zero where the pixel sees nothing.
+struct SurfacePoint {
+  glm::vec3 position{0}, normal{0};
+};
+
+SurfacePoint trace(const Scene& scene, const glm::vec3& eye, const glm::vec3& direction) {
+  RTCRayHit query{};
+  query.ray.org_x = eye.x, query.ray.org_y = eye.y, query.ray.org_z = eye.z;
+  query.ray.dir_x = direction.x, query.ray.dir_y = direction.y, query.ray.dir_z = direction.z;
+  query.ray.tfar = std::numeric_limits<float>::infinity();
+  query.ray.mask = ~0u;
+  query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  rtcIntersect1(scene.embree.plain(), &context, &query);
+  if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
+  const glm::uvec3& triangle = scene.mesh.triangles[scene.embree.primitive(query.hit.primID)];
+  const glm::vec3& a = scene.mesh.positions[triangle.x];
+  const glm::vec3 u = scene.mesh.positions[triangle.y] - a, v = scene.mesh.positions[triangle.z] - a;
+  const glm::vec3 normal = glm::normalize(glm::cross(u, v));
+  return {a + query.hit.u * u + query.hit.v * v, glm::dot(normal, direction) < 0 ? normal : -normal};
+}
+
+std::vector<SurfacePoint> trace_camera_rays(const Scene& scene, const lkao::scene::Camera& camera, int width,
+                                            int height) {
+  const glm::vec3 forward = glm::normalize(camera.target - camera.eye);
+  const float half_width = std::tan(0.5f * glm::radians(camera.fov));
+  const glm::vec3 right = half_width * glm::normalize(glm::cross(forward, camera.up));
+  const glm::vec3 up = glm::cross(right, forward);
+  std::vector<SurfacePoint> points(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  tbb::parallel_for(0, width * height, [&](int pixel) {
+    const float x = static_cast<float>(2 * (pixel % width) + 1 - width) / static_cast<float>(width);
+    const float y = static_cast<float>(height - 2 * (pixel / width) - 1) / static_cast<float>(width);
+    points[static_cast<std::size_t>(pixel)] = trace(scene, camera.eye, forward + x * right + y * up);
+  });
+  return points;
+}
+
+// The renderer's AO loop: a shadow ray for every sample. The rays are those that lkao casts, so that the images can be
+// compared; making them costs what any sampler costs.
+lkao::ReceiverOcclusion cast_shadow_rays(const Scene& scene, const lkao::ReceiverRays& rays) {
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  lkao::ReceiverOcclusion answer;
+  for (int i = 0; i < rays.ray_count; ++i) {
+    if (!rays.cast.test(i)) continue;
+    const glm::vec3 &from = rays.origin, along = rays.ray(i);
+    RTCRay ray{from.x, from.y, from.z, 0, along.x, along.y, along.z, 0, 1, ~0u, 0, 0};
+    rtcOccluded1(scene.embree.plain(), &context, &ray);
+    if (ray.tfar < 0) answer.mask.set(i);
+  }
+  answer.occlusion = static_cast<float>(answer.mask.count()) / static_cast<float>(rays.cast.count());
+  return answer;
+}
+
+struct AoImage {
+  std::vector<float> occlusion;            // NaN where a pixel sees nothing
+  std::vector<lkao::OcclusionMask> masks;  // for the comparison
+  double seconds = 0;
+};
+
+// Runs the integrator for every point, on all threads.
+template <typename Integrator>
+AoImage render(const char* name, const std::vector<SurfacePoint>& points, const Integrator& integrator) {
+  AoImage image;
+  image.occlusion.resize(points.size(), std::numeric_limits<float>::quiet_NaN());
+  image.masks.resize(points.size());
+  const lkao::cli::Stopwatch watch;
+  tbb::parallel_for(std::size_t{0}, points.size(), [&](std::size_t pixel) {
+    if (points[pixel].normal == glm::vec3(0)) return;
+    const lkao::ReceiverOcclusion answer = integrator(points[pixel], pixel);
+    image.occlusion[pixel] = answer.occlusion;
+    image.masks[pixel] = answer.mask;
+  });
+  image.seconds = watch.seconds();
+  fmt::print("{:6} {:9.3f} s\n", name, image.seconds);
+  return image;
+}
+
+void print_difference(const AoImage& embree, const AoImage& lkao, int ray_count) {
+  int mismatched = 0, pixel_count = 0;
+  for (std::size_t i = 0; i < lkao.masks.size(); ++i) {
+    const lkao::OcclusionMask &a = embree.masks[i], &b = lkao.masks[i];
+    mismatched += ((a & ~b) | (b & ~a)).count();
+    pixel_count += !std::isnan(lkao.occlusion[i]);
+  }
+  const lkao::image::Metrics metrics = lkao::image::compare(embree.occlusion, lkao.occlusion);
+  fmt::print("lkao is {:.2f} times as fast\n", embree.seconds / lkao.seconds);
+  fmt::print("image difference: mean {:.2g}, largest {:.2g}; {} of {} rays mismatched\n", metrics.mae,
+             metrics.max_error, mismatched, std::int64_t{pixel_count} * ray_count);
+}
+
+void run(const Options& options) {
+  const lkao::scene::Mesh mesh = lkao::scene::load(options.scene);
+  const Scene scene{mesh, lkao::reference::EmbreeScene(mesh.view(), false)};
+  const lkao::Bounds bounds = lkao::scene::bounds_of(mesh);
+  const float radius = options.radius > 0 ? options.radius : lkao::scene::suggest_radii(bounds).large;
+  const lkao::scene::Camera camera =
+      options.scene.starts_with("builtin:")
+          ? lkao::scene::builtin_scene(options.scene.substr(8)).camera
+          : lkao::scene::frame(bounds, static_cast<float>(options.width) / static_cast<float>(options.height));
+  const std::vector<SurfacePoint> points = trace_camera_rays(scene, camera, options.width, options.height);
+
+  const lkao::OccluderBvh occluders(mesh.view());                                         // lkao, once a scene
+  const lkao::SamplePattern& pattern = lkao::SamplePattern::standard(options.ray_count);  // lkao
+  const lkao::AmbientOcclusion ao(occluders, pattern, {.radius = radius});                // lkao
+
+  AoImage by_embree, by_lkao;
+  if (options.ao != "lkao") {
+    by_embree = render("embree", points, [&](const SurfacePoint& point, std::size_t pixel) {
+      return cast_shadow_rays(scene, ao.rays({point.position, point.normal}, pixel));
+    });
+  }
+  if (options.ao != "embree") {
+    by_lkao = render("lkao", points, [&](const SurfacePoint& point, std::size_t pixel) {
+      return ao.query({point.position, point.normal}, pixel);  // lkao, instead of cast_shadow_rays()
+    });
+  }
+  if (options.ao == "both") print_difference(by_embree, by_lkao, options.ray_count);
+  if (options.output.empty()) return;
+  const std::vector<float>& occlusion = (options.ao == "embree" ? by_embree : by_lkao).occlusion;
+  lkao::image::write_image(options.output,
+                           lkao::image::visibility_preview({options.width, options.height, {"occlusion"}, occlusion}));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Options options;
+  CLI::App app("Renders ambient occlusion on Embree, with or without lkao.", "host_renderer");
+  app.add_option("scene", options.scene, "mesh file or builtin:NAME")->capture_default_str();
+  app.add_option("--ao", options.ao)->check(CLI::IsMember({"embree", "lkao", "both"}))->capture_default_str();
+  app.add_option("--radius", options.radius, "AO radius (default: one that suits the scene)");
+  app.add_option("--rays", options.ray_count, "a pixel: 64, 128, ... 1024")->capture_default_str();
+  app.add_option("--width", options.width)->check(CLI::Range(1, 8192))->capture_default_str();
+  app.add_option("--height", options.height)->check(CLI::Range(1, 8192))->capture_default_str();
+  app.add_option("-o,--output", options.output, "PNG file of the visibility");
+  CLI11_PARSE(app, argc, argv);
+  try {
+    run(options);
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "host_renderer: {}\n", error.what());
+    return 2;
+  }
+}

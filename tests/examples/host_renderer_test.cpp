@@ -1,0 +1,63 @@
+// The example renderer: lkao in the place of its shadow rays changes the time, and nothing else.
+#include <algorithm>
+#include <cstddef>
+#include <fstream>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "cli/program.h"
+#include "image/image.h"
+#include "image/metrics.h"
+
+namespace lkao::test {
+namespace {
+
+class HostRenderer : public ProgramTest {
+ protected:
+  ProgramResult render(const std::string& scene, const std::string& ao) const {
+    return expect_success(
+        {scene, "--ao", ao, "--rays", "64", "--width", "64", "--height", "48", "-o", path(ao + ".png")});
+  }
+};
+
+TEST_F(HostRenderer, MismatchesHardlyAnyRay) {
+  const std::string out = render("builtin:atrium", "both").out;
+  EXPECT_THAT(out, testing::ContainsRegex("embree +[0-9.]+ s\nlkao +[0-9.]+ s\nlkao is [0-9.]+ times as fast\n"));
+  // Embree works in single precision: some rays in a million may differ.
+  EXPECT_THAT(out, testing::ContainsRegex("; [0-2] of 196608 rays mismatched\n"));
+}
+
+TEST_F(HostRenderer, ImagesAreTheSame) {
+  for (const char* ao : {"embree", "lkao", "both"}) render("builtin:sphere", ao);
+  EXPECT_EQ(read_file("lkao.png"), read_file("both.png"));
+  const image::Image embree = image::read_image(path("embree.png")), lkao = image::read_image(path("lkao.png"));
+  EXPECT_EQ(lkao.width, 64);
+  EXPECT_EQ(lkao.height, 48);
+  EXPECT_LT(image::compare(embree.pixels, lkao.pixels).mae, 1e-5);
+  const auto [darkest, brightest] = std::minmax_element(lkao.pixels.begin(), lkao.pixels.end());
+  EXPECT_LT(*darkest, 0.5f);
+  EXPECT_GT(*brightest, 0.95f);
+}
+
+TEST_F(HostRenderer, NeedsFewerThanTenLinesForLkao) {
+  std::ifstream source(LKAO_HOST_RENDERER_SOURCE);
+  int marked_count = 0;
+  for (std::string line; std::getline(source, line);) {
+    const std::size_t mark = line.find(" // lkao");
+    if (mark != std::string::npos && line.find_first_not_of(' ') < mark) ++marked_count;
+  }
+  EXPECT_GE(marked_count, 5);
+  EXPECT_LT(marked_count, 10);
+}
+
+TEST_F(HostRenderer, BadInputIsOneLine) {
+  const ProgramResult result = run_program({path("nowhere.ply")});
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1);
+  EXPECT_THAT(result.err, testing::HasSubstr("nowhere.ply"));
+}
+
+}  // namespace
+}  // namespace lkao::test
