@@ -93,7 +93,7 @@ std::vector<RTCBuildPrimitive> collect_occluders(const TriangleMesh& mesh, Layou
       }
     }
     const glm::vec3 &a = mesh.positions[t.x], &b = mesh.positions[t.y], &c = mesh.positions[t.z];
-    if (!is_finite(a) || !is_finite(b) || !is_finite(c)) {
+    if (!is_in_range(a, b, c)) {
       ++layout.report.non_finite_count;
     } else if (has_zero_area(a, b, c)) {
       ++layout.report.zero_area_count;
@@ -203,9 +203,9 @@ class Flattener {
     return ChildRef::leaf(static_cast<std::uint32_t>(leaves_.size() - 1));
   }
 
-  // Faces move out by a step of float: see Node.
+  // Faces move out: see Node.
   void set_child(std::uint32_t node, std::uint32_t child, const Bounds& bounds, ChildRef ref) {
-    constexpr float kTiny = std::numeric_limits<float>::min();
+    constexpr float kTiny = Node::kMargin;
     Bounds box;
     for (int axis = 0; axis < 3; ++axis) {
       const float lower = bounds.lower[axis], upper = bounds.upper[axis];

@@ -42,11 +42,13 @@ class ChildRef {
 };
 
 // Children fill the node from the front. The box of an empty child is a point at infinity, which no ray meets. Every
-// other face is a step of float outside what the box holds: a ray that runs within the plane of what it holds is then
-// strictly between the faces, and the slab test never multiplies 0 by the reciprocal of 0.
+// other face is a step of float, and at least kMargin, outside what the box holds: a ray that runs within the plane of
+// what it holds is then strictly between the faces, and its reciprocal may be limited to 1 / kMargin.
 struct alignas(64) Node {
   float faces[2][3][kWidth];  // lower and upper, by axis, then child
   ChildRef children[kWidth];
+
+  static constexpr float kMargin = 0x1p-59f;
 
   const std::uint32_t* child_bits() const { return reinterpret_cast<const std::uint32_t*>(children); }
   static Node empty() {

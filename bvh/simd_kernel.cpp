@@ -9,7 +9,9 @@
 #include "bvh/simd_kernel.h"
 
 #include <algorithm>
+#include <bit>
 
+#include "bvh/scalar_kernel.h"
 #include "bvh/triangle_test.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -17,6 +19,20 @@
 #include <hwy/foreach_target.h>
 
 #include <hwy/highway.h>
+
+#if HWY_TARGET == HWY_SCALAR  // no vectors, nothing to gain
+
+HWY_BEFORE_NAMESPACE();
+namespace lkao::bvh::HWY_NAMESPACE {
+namespace {
+
+OcclusionMask trace_simd(const Layout& layout, const Query& query) { return trace_scalar(layout, query); }
+
+}  // namespace
+}  // namespace lkao::bvh::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#else
 
 #include "bvh/simd/box_masks-inl.h"
 #include "bvh/simd/leaf_frames-inl.h"
@@ -128,6 +144,8 @@ OcclusionMask trace_simd(const Layout& layout, const Query& query) { return Simd
 }  // namespace
 }  // namespace lkao::bvh::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
+
+#endif
 
 #if HWY_ONCE
 namespace lkao::bvh {

@@ -6,6 +6,9 @@
 #define LKAO_BVH_SIMD_BOX_MASKS_INL_H_
 #endif
 
+#include <algorithm>
+#include <limits>
+
 #include <hwy/highway.h>
 
 #include "bvh/layout.h"
@@ -21,7 +24,8 @@ class RelativeBoxes {
   HWY_INLINE RelativeBoxes(const Node& node, const glm::vec3& origin, const glm::vec3& up, float radius) {
     const BoxTag tag;
     const auto zero = hn::Zero(tag), half = hn::Set(tag, 0.5f), slack = hn::Set(tag, 0x1p-20f);
-    const auto reach2 = hn::Set(tag, radius * radius * (1.0f + 0x1p-19f));
+    // Less than infinity, where the empty children are.
+    const auto reach2 = hn::Set(tag, std::min(radius * radius * (1.0f + 0x1p-19f), std::numeric_limits<float>::max()));
     for (int i = 0; i < kWidth; i += lane_count(tag)) {
       auto distance2 = zero, highest = zero, magnitude = zero;
       for (int axis = 0; axis < 3; ++axis) {
@@ -50,8 +54,7 @@ class RelativeBoxes {
   // Children that rays may reach.
   std::uint32_t reached() const { return reached_; }
 
-  // Of the 16 rays of a chunk, those that may meet a child's box within their length. As may_meet. Products that overflow can make
-  // NaN, for rays parallel to a face: whatever then becomes of the maxima, such a ray is kept.
+  // Of the 16 rays of a chunk, those that may meet a child's box within their length. As may_meet.
   HWY_INLINE std::uint32_t rays_meeting(int child, const RaySet& rays, int chunk) const {
     const RayTag tag;
     const auto zero = hn::Zero(tag), one = hn::Set(tag, 1.0f);

@@ -66,7 +66,7 @@ enum class NodeMasks {
 };
 
 struct QueryOptions {
-  // AO radius: the length of the longest ray, in the unit of the positions. Finite and > 0.
+  // AO radius: the length of the longest ray, in the unit of the positions. > 0, at most 1e18.
   float radius = 0;
   Sidedness sidedness = Sidedness::two_sided;
   Jitter jitter = {};

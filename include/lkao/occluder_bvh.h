@@ -35,7 +35,7 @@ struct BuildReport {
   std::size_t triangle_count = 0;    // in the mesh
   std::size_t occluder_count = 0;    // that can block rays
   std::size_t zero_area_count = 0;   // dropped: corners on one line, or two corners equal
-  std::size_t non_finite_count = 0;  // dropped: a corner with a NaN or infinite coordinate
+  std::size_t non_finite_count = 0;  // dropped: a corner with a coordinate that is NaN or beyond 1e18
   std::size_t reference_count = 0;   // leaf entries, occluder_count plus those made by spatial splits
   std::size_t node_count = 0;
   std::size_t memory_bytes = 0;  // of the finished hierarchy

@@ -3,7 +3,6 @@
 // Based on: S. Laine, T. Karras, "Two Methods for Fast Ray-Cast Ambient Occlusion", EGSR 2010, Sec. 3.1.
 #pragma once
 
-#include <bit>
 #include <cstdint>
 
 #include "lkao/sample_pattern.h"
@@ -22,9 +21,16 @@ class OcclusionMask {
 
   // Number of set bits.
   int count() const {
-    int sum = 0;
-    for (std::uint64_t word : words) sum += std::popcount(word);
-    return sum;
+    // Bits of every byte, added up over the words: compilers make vectors of it even where there is no such instruction.
+    static_assert(kMaxRayCount / 64 * 8 < 256);
+    std::uint64_t bytes = 0;
+    for (std::uint64_t word : words) {
+      word -= word >> 1 & 0x5555555555555555u;
+      word = (word & 0x3333333333333333u) + (word >> 2 & 0x3333333333333333u);
+      bytes += (word + (word >> 4)) & 0x0f0f0f0f0f0f0f0fu;
+    }
+    const std::uint64_t pairs = (bytes & 0x00ff00ff00ff00ffu) + (bytes >> 8 & 0x00ff00ff00ff00ffu);
+    return static_cast<int>(pairs * 0x0001000100010001u >> 48);
   }
   bool any() const {
     std::uint64_t all = 0;

@@ -12,6 +12,7 @@
 #include "bvh/scalar_kernel.h"
 #include "bvh/simd_kernel.h"
 #include "bvh/table_kernel.h"
+#include "bvh/zero_area.h"
 #include "lut/isa.h"
 #include "query/answer.h"
 #include "query/batch.h"
@@ -25,7 +26,8 @@ void require(bool condition, const char* option, const char* range, double value
 }
 
 void validate(const QueryOptions& options) {
-  require(std::isfinite(options.radius) && options.radius > 0, "radius", "finite and greater than 0", options.radius);
+  require(options.radius > 0 && options.radius <= bvh::kLargestCoordinate, "radius", "greater than 0 and at most 1e18",
+          options.radius);
   require(options.jitter.rotation >= 0 && options.jitter.rotation <= 1, "jitter.rotation", "in [0, 1] turns",
           options.jitter.rotation);
   require(options.jitter.tilt >= 0 && options.jitter.tilt <= 0.5f * std::numbers::pi_v<float>, "jitter.tilt",

@@ -42,7 +42,7 @@ float offset_of(const Receiver& receiver, const QueryOptions& options, float lar
 }  // namespace
 
 bool is_valid(const Receiver& receiver) {
-  return bvh::is_finite(receiver.position) && is_direction(receiver.normal) &&
+  return bvh::is_in_range(receiver.position) && is_direction(receiver.normal) &&
          (receiver.geometric_normal == glm::vec3(0) || is_direction(receiver.geometric_normal));
 }
 
@@ -84,7 +84,7 @@ PatternLanes::PatternLanes(const SamplePattern& pattern)
 Bounds bounds_of_origins(std::span<const Receiver> receivers, const QueryOptions& options, float largest_coordinate) {
   Bounds bounds{glm::vec3(std::numeric_limits<float>::infinity()), glm::vec3(-std::numeric_limits<float>::infinity())};
   for (const Receiver& receiver : receivers) {
-    if (!bvh::is_finite(receiver.position)) continue;
+    if (!bvh::is_in_range(receiver.position)) continue;
     // Twice the offset: rounding included.
     const glm::vec3 offset(2 * offset_of(receiver, options, largest_coordinate));
     bounds.lower = glm::min(bounds.lower, receiver.position - offset);

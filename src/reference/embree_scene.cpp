@@ -48,7 +48,7 @@ bool can_block(const TriangleMesh& mesh, const glm::uvec3& triangle) {
   const glm::vec3& a = mesh.positions[triangle.x];
   const glm::vec3& b = mesh.positions[triangle.y];
   const glm::vec3& c = mesh.positions[triangle.z];
-  return bvh::is_finite(a, b, c) && !bvh::has_zero_area(a, b, c);
+  return bvh::is_in_range(a, b, c) && !bvh::has_zero_area(a, b, c);
 }
 
 // Copies `values` into a new buffer of Embree's, which pads it as its vector loads need. Null where out of memory.

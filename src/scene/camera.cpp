@@ -57,7 +57,7 @@ std::vector<glm::uvec3> visible_triangles(const Mesh& mesh) {
     const glm::vec3& a = mesh.positions[triangle.x];
     const glm::vec3& b = mesh.positions[triangle.y];
     const glm::vec3& c = mesh.positions[triangle.z];
-    if (!bvh::is_finite(a, b, c) || bvh::has_zero_area(a, b, c)) triangle = glm::uvec3(triangle.x);
+    if (!bvh::is_in_range(a, b, c) || bvh::has_zero_area(a, b, c)) triangle = glm::uvec3(triangle.x);
   }
   return triangles;
 }

@@ -34,8 +34,8 @@ std::string error_of(const QueryOptions& options) {
 
 TEST(Query, NamesABadOption) {
   EXPECT_EQ(error_of({.radius = 1}), "");
-  EXPECT_EQ(error_of({}), "radius must be finite and greater than 0, not 0");
-  EXPECT_EQ(error_of({.radius = -1}), "radius must be finite and greater than 0, not -1");
+  EXPECT_EQ(error_of({}), "radius must be greater than 0 and at most 1e18, not 0");
+  EXPECT_EQ(error_of({.radius = -1}), "radius must be greater than 0 and at most 1e18, not -1");
   EXPECT_NE(error_of({.radius = kNaN}), "");
   EXPECT_NE(error_of({.radius = INFINITY}), "");
   EXPECT_EQ(error_of({.radius = 1, .jitter = {.rotation = 2}}), "jitter.rotation must be in [0, 1] turns, not 2");
