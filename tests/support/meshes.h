@@ -36,7 +36,8 @@ inline glm::vec3 random_direction(lut::RandomStream& random) {
 }
 
 inline glm::quat random_rotation(lut::RandomStream& random) {
-  return glm::angleAxis(uniform(random, 0, 2 * std::numbers::pi_v<float>), random_direction(random));
+  const float turn = uniform(random, 0, 2 * std::numbers::pi_v<float>);
+  return glm::angleAxis(turn, random_direction(random));
 }
 
 // Triangles of one size at random places in [-1, 1]^3.
