@@ -47,7 +47,7 @@ namespace {
 #define T_FEW 16
 #endif
 #ifndef T_LEAF
-#define T_LEAF 3
+#define T_LEAF 1
 #endif
 // A child goes to the stream if it meets no more rays than this, a leaf if it meets no more in a chunk on average.
 constexpr int kFewRays = T_FEW, kFewRaysPerChunk = T_LEAF;
@@ -57,9 +57,9 @@ class SimdTraversal {
   SimdTraversal(const Layout& layout, const Query& query)
       : layout_(layout),
         query_(query),
-        near_(0x1p-22f * largest_extent(layout.bounds)),
+        receiver_(layout, query),
         rays_(query.rays),
-        stream_(layout, query, rays_, near_) {}
+        stream_(layout, query, receiver_, rays_) {}
 
   OcclusionMask run() {
     visit(query_.root, ActiveChunks(rays_));
@@ -68,27 +68,25 @@ class SimdTraversal {
   }
 
  private:
-  static float largest_extent(const Bounds& bounds) {
-    const glm::vec3 size = bounds.upper - bounds.lower;
-    return std::max(size.x, std::max(size.y, size.z));
-  }
-
   // `active`: the open rays that may meet the node.
   void visit(const Node& node, const ActiveChunks& active) {
     const RelativeBoxes boxes(node, query_.rays.origin, query_.up, query_.radius);
     const int padded_count = active.padded_count();
     std::uint16_t met[kWidth][kMaxChunkCount];  // by child, then chunk of `active`
-    const std::uint32_t reached = boxes.reached();
-    for (std::uint32_t children = reached; children != 0; children &= children - 1) {
+    std::uint32_t met_children = 0;
+    for (std::uint32_t children = boxes.reached(); children != 0; children &= children - 1) {
       const int child = std::countr_zero(children);
+      std::uint32_t any = 0;
       for (int i = 0; i < padded_count; i += kChunkStep) {
         for (int k = i; k < i + kChunkStep; ++k) {
-          met[child][k] =
-              static_cast<std::uint16_t>(active.masks[k] & boxes.rays_meeting(child, rays_, active.chunks[k]));
+          const std::uint32_t mask = active.masks[k] & boxes.rays_meeting(child, rays_, active.chunks[k]);
+          met[child][k] = static_cast<std::uint16_t>(mask);
+          any |= mask;
         }
       }
+      met_children |= (any != 0 ? 1u : 0u) << child;
     }
-    for (std::uint32_t children = reached; children != 0; children &= children - 1) {
+    for (std::uint32_t children = met_children; children != 0; children &= children - 1) {
       const int child = std::countr_zero(children);
       visit(node.children[child], ActiveChunks(rays_, active, met[child]));
     }
@@ -96,7 +94,7 @@ class SimdTraversal {
 
   void visit(ChildRef child, const ActiveChunks& active) {
     const int few = child.is_leaf() ? kFewRaysPerChunk * active.count : kFewRays;
-    if (active.ray_count() <= few) {
+    if (active.ray_count <= few) {
       stream_.push(child, active);
     } else if (child.is_leaf()) {
       visit(layout_.leaves[child.index()], active);
@@ -106,7 +104,7 @@ class SimdTraversal {
   }
 
   void visit(const Leaf& leaf, const ActiveChunks& active) {
-    const LeafFrames frames(layout_, leaf, query_, near_);
+    const LeafFrames frames(receiver_, leaf);
     const LeafPlanes planes(frames);
     for (int i = 0; i < active.count; ++i) {
       const int chunk = active.chunks[i];
@@ -134,7 +132,7 @@ class SimdTraversal {
 
   const Layout& layout_;
   const Query& query_;
-  float near_;
+  LeafReceiver receiver_;
   RaySet rays_;
   RayStream stream_;
 };

@@ -6,6 +6,7 @@
 #define LKAO_BVH_SIMD_LEAF_FRAMES_INL_H_
 #endif
 
+#include <algorithm>
 #include <bit>
 #include <limits>
 
@@ -27,6 +28,25 @@ struct Verdict {
   std::uint32_t perhaps;
 };
 
+// What triangle tests need to know of a receiver, as vectors.
+struct LeafReceiver {
+  LeafReceiver(const Layout& the_layout, const Query& the_query) : layout(the_layout), query(the_query) {
+    const TriangleTag tag;
+    origin_x = hn::Set(tag, query.rays.origin.x);
+    origin_y = hn::Set(tag, query.rays.origin.y);
+    origin_z = hn::Set(tag, query.rays.origin.z);
+    const glm::vec3 size = layout.bounds.upper - layout.bounds.lower;
+    near = hn::Set(tag, 0x1p-22f * std::max(size.x, std::max(size.y, size.z)));
+    radius_rounding = hn::Set(tag, 0x1p-24f * query.radius);
+  }
+
+  const Layout& layout;
+  const Query& query;
+  Floats origin_x, origin_y, origin_z;
+  Floats near;             // see LeafFrames
+  Floats radius_rounding;  // of single precision
+};
+
 // The triangles of a leaf as one receiver sees them, in single precision.
 //
 // In the frame of a triangle (make_leaf) the origin is at (u, v, distance) and a ray goes by (du, dv, towards), where
@@ -40,11 +60,10 @@ struct Verdict {
 // grant more than that. To |p| comes a little for the definition's own tolerance where the origin is at the vertex.
 class LeafFrames {
  public:
-  HWY_INLINE LeafFrames(const Layout& layout, const Leaf& leaf, const Query& query, float near) : leaf_(leaf) {
+  HWY_INLINE LeafFrames(const LeafReceiver& receiver, const Leaf& leaf) : leaf_(leaf) {
     const TriangleTag tag;
-    const auto px = hn::Sub(hn::Set(tag, query.rays.origin.x), load(leaf.vertex[0]));
-    const auto py = hn::Sub(hn::Set(tag, query.rays.origin.y), load(leaf.vertex[1]));
-    const auto pz = hn::Sub(hn::Set(tag, query.rays.origin.z), load(leaf.vertex[2]));
+    const auto px = hn::Sub(receiver.origin_x, load(leaf.vertex[0])), py = hn::Sub(receiver.origin_y, load(leaf.vertex[1])),
+               pz = hn::Sub(receiver.origin_z, load(leaf.vertex[2]));
     u_ = dot(leaf.u_gradient, px, py, pz);
     v_ = dot(leaf.v_gradient, px, py, pz);
     const auto behind = dot(leaf.back_normal, px, py, pz);
@@ -52,19 +71,20 @@ class LeafFrames {
     // Rays go against back_normal where the origin is behind the triangle.
     turn_ = hn::AndNot(behind, hn::SignBit(tag));
 
-    const auto reach = hn::Add(hn::Add(hn::Abs(px), hn::Abs(py)), hn::Add(hn::Abs(pz), hn::Set(tag, near)));
-    const auto e = hn::Set(tag, 0x1p-24f), er = hn::Set(tag, 0x1p-24f * query.radius);
-    edge_slack_ = hn::Mul(hn::MulAdd(hn::Mul(load(leaf.steepness), reach), hn::Set(tag, 90.0f), hn::Set(tag, 12.0f)), er);
-    const auto distance_slack = hn::Mul(hn::Set(tag, 6.0f), hn::Mul(e, reach));
-    own_slack_ = hn::MulAdd(hn::Set(tag, 8.0f), er, distance_slack);
+    const auto reach = hn::Add(hn::Add(hn::Abs(px), hn::Abs(py)), hn::Add(hn::Abs(pz), receiver.near));
+    const auto distance_slack = hn::Mul(hn::Set(tag, 6 * 0x1p-24f), reach);
+    edge_slack_ = hn::Mul(hn::MulAdd(hn::Mul(load(leaf.steepness), reach), hn::Set(tag, 90.0f), hn::Set(tag, 12.0f)),
+                          receiver.radius_rounding);
+    own_slack_ = hn::MulAdd(hn::Set(tag, 8.0f), receiver.radius_rounding, distance_slack);
 
     // `!(x > y)` holds for NaN too.
     const std::uint32_t unsure_side = kAllTriangles & ~bits_of(tag, hn::Gt(distance_, distance_slack));
-    if (HWY_UNLIKELY(unsure_side != 0)) decide_sides(layout, query, unsure_side);
-    if (query.sidedness == Sidedness::one_sided) {
+    if (HWY_UNLIKELY(unsure_side != 0)) decide_sides(receiver, unsure_side);
+    const Query& query = receiver.query;
+    if (HWY_UNLIKELY(query.sidedness == Sidedness::one_sided)) {
       candidates_ &= ~bits_of(tag, hn::Gt(behind, distance_slack));
     }
-    if (query.excluded_primitive != kNoPrimitive) {
+    if (HWY_UNLIKELY(query.excluded_primitive != kNoPrimitive)) {
       for (int i = 0; i < kLeafWidth; ++i) {
         if (leaf.primitives[i] == query.excluded_primitive) candidates_ &= ~(1u << i);
       }
@@ -102,11 +122,11 @@ class LeafFrames {
   }
 
   // Takes the side from TriangleTest where it is in doubt: nearly coplanar receivers.
-  HWY_NOINLINE void decide_sides(const Layout& layout, const Query& query, std::uint32_t triangles) {
+  HWY_NOINLINE void decide_sides(const LeafReceiver& receiver, std::uint32_t triangles) {
     const TriangleTag tag;
     for (; triangles != 0; triangles &= triangles - 1) {
       const int i = std::countr_zero(triangles);
-      const TriangleTest test = make_test(layout, leaf_.primitives[i], query);
+      const TriangleTest test = make_test(receiver.layout, leaf_.primitives[i], receiver.query);
       const auto lane = mask_of(tag, 1u << i);
       if (!test.can_block()) {
         candidates_ &= ~(1u << i);

@@ -37,7 +37,10 @@ class RaySet {
     return mask;
   }
   bool is_open(std::uint32_t ray) const { return (open[ray / kLaneCount] >> (ray % kLaneCount) & 1) != 0; }
-  void close(std::uint32_t ray) { open[ray / kLaneCount] &= static_cast<std::uint16_t>(~(1u << (ray % kLaneCount))); }
+  // Without a branch: nothing where `blocked` is 0 instead of 1.
+  void close(std::uint32_t ray, std::uint32_t blocked) {
+    open[ray / kLaneCount] &= static_cast<std::uint16_t>(~(blocked << (ray % kLaneCount)));
+  }
 
   const float *x, *y, *z;
   alignas(64) float inverse_x[kMaxRayCount];
@@ -84,18 +87,8 @@ struct ActiveChunks {
 
   int padded_count() const { return (count + kChunkStep - 1) / kChunkStep * kChunkStep; }
 
-  int ray_count() const {
-    int sum = 0;
-    for (int i = 0; i < count; i += kChunkStep) {
-      std::uint64_t step;
-      static_assert(sizeof(step) == kChunkStep * sizeof(*masks));
-      std::memcpy(&step, masks + i, sizeof(step));
-      sum += std::popcount(step);
-    }
-    return sum;
-  }
-
-  int count = 0;
+  int count = 0;      // of chunks
+  int ray_count = 0;  // in their masks
   std::uint8_t chunks[kMaxChunkCount + kChunkStep];
   std::uint16_t masks[kMaxChunkCount + kChunkStep];  // beyond `count`, up to a step: empty
 
@@ -105,6 +98,7 @@ struct ActiveChunks {
     chunks[count] = static_cast<std::uint8_t>(chunk);
     masks[count] = static_cast<std::uint16_t>(mask);
     count += mask != 0;
+    ray_count += std::popcount(mask);
   }
   HWY_INLINE void finish() {
     for (int i = 0; i < kChunkStep; ++i) chunks[count + i] = 0, masks[count + i] = 0;

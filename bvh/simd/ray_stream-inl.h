@@ -26,8 +26,8 @@ namespace lkao::bvh::HWY_NAMESPACE {
 // waits for memory nor guesses wrong as it does when it follows one ray after the other.
 class RayStream {
  public:
-  RayStream(const Layout& layout, const Query& query, RaySet& rays, float near)
-      : layout_(layout), query_(query), rays_(rays), near_(near) {}
+  RayStream(const Layout& layout, const Query& query, const LeafReceiver& receiver, RaySet& rays)
+      : layout_(layout), query_(query), receiver_(receiver), rays_(rays) {}
 
   // Adds some rays that may meet a child.
   HWY_INLINE void push(ChildRef child, const ActiveChunks& active) {
@@ -151,20 +151,23 @@ class RayStream {
 
   HWY_INLINE void visit_leaves() {
     constexpr int kAhead = 8;
-    for (int i = 0; i < std::min(kAhead, leaves_.count); ++i) prefetch(layout_.leaves[leaves_.children[i]]);
-    for (int i = 0; i < leaves_.count; ++i) {
+    const LeafReceiver receiver = receiver_;
+    const Leaf* const leaves = layout_.leaves.data();
+    const int count = leaves_.count;
+    for (int i = 0; i < std::min(kAhead, count); ++i) prefetch(leaves[leaves_.children[i]]);
+    for (int i = 0; i < count; ++i) {
       const std::uint32_t ray = leaves_.rays[i];
-      prefetch(layout_.leaves[leaves_.children[std::min(i + kAhead, leaves_.count - 1)]]);
-      if (rays_.is_open(ray)) visit(layout_.leaves[leaves_.children[i]], ray);
+      prefetch(leaves[leaves_.children[std::min(i + kAhead, count - 1)]]);
+      if (rays_.is_open(ray)) visit(receiver, leaves[leaves_.children[i]], ray);
     }
     leaves_.count = 0;
   }
 
-  HWY_INLINE void visit(const Leaf& leaf, std::uint32_t ray) {
-    const LeafFrames frames(layout_, leaf, query_, near_);
+  HWY_INLINE void visit(const LeafReceiver& receiver, const Leaf& leaf, std::uint32_t ray) {
+    const LeafFrames frames(receiver, leaf);
     const Verdict triangles = frames.blocked(rays_.x[ray], rays_.y[ray], rays_.z[ray]);
     if (triangles.perhaps == 0) return;
-    if (triangles.sure != 0 || resolve(leaf, ray, triangles.perhaps)) rays_.close(ray);
+    if (triangles.sure != 0 || resolve(leaf, ray, triangles.perhaps)) rays_.close(ray, 1);
   }
 
   // Does any of the triangles in doubt block the ray?
@@ -178,8 +181,8 @@ class RayStream {
 
   const Layout& layout_;
   const Query& query_;
+  const LeafReceiver& receiver_;
   RaySet& rays_;
-  float near_;
   Pairs nodes_;   // indices into layout_.nodes
   Pairs leaves_;  // into layout_.leaves
 };
