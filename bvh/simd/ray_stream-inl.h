@@ -158,7 +158,7 @@ class RayStream {
     for (int i = 0; i < count; ++i) {
       const std::uint32_t ray = leaves_.rays[i];
       prefetch(leaves[leaves_.children[std::min(i + kAhead, count - 1)]]);
-      if (rays_.is_open(ray)) visit(receiver, leaves[leaves_.children[i]], ray);
+      visit(receiver, leaves[leaves_.children[i]], ray);
     }
     leaves_.count = 0;
   }
@@ -166,8 +166,10 @@ class RayStream {
   HWY_INLINE void visit(const LeafReceiver& receiver, const Leaf& leaf, std::uint32_t ray) {
     const LeafFrames frames(receiver, leaf);
     const Verdict triangles = frames.blocked(rays_.x[ray], rays_.y[ray], rays_.z[ray]);
-    if (triangles.perhaps == 0) return;
-    if (triangles.sure != 0 || resolve(leaf, ray, triangles.perhaps)) rays_.close(ray, 1);
+    std::uint32_t blocked = triangles.sure != 0;
+    const std::uint32_t in_doubt = static_cast<std::uint32_t>(triangles.perhaps != 0) & ~blocked;
+    if (HWY_UNLIKELY(in_doubt != 0)) blocked = resolve(leaf, ray, triangles.perhaps);
+    rays_.close(ray, blocked);
   }
 
   // Does any of the triangles in doubt block the ray?
