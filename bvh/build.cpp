@@ -8,8 +8,8 @@
 
 #include <embree3/rtcore.h>
 #include <fmt/format.h>
-#include <glm/common.hpp>
 #include <tbb/parallel_for.h>
+#include <glm/common.hpp>
 
 #include "bvh/leaf.h"
 #include "bvh/triangle_clip.h"
@@ -240,7 +240,7 @@ std::shared_ptr<const Layout> build(const TriangleMesh& mesh, const BuildOptions
   layout->nodes.shrink_to_fit();
   layout->report.node_count = layout->nodes.size();
   layout->report.memory_bytes = size_in_bytes(layout->nodes) + size_in_bytes(layout->leaves) +
-                               size_in_bytes(layout->positions) + size_in_bytes(layout->triangles);
+                                size_in_bytes(layout->positions) + size_in_bytes(layout->triangles);
   layout->report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return layout;
 }

@@ -8,8 +8,7 @@ namespace {
 bool is_within_reach(const Bounds& box, const Bounds& origins, float radius) {
   float distance2 = 0;
   for (int axis = 0; axis < 3; ++axis) {
-    const float gap =
-        std::max({0.0f, box.lower[axis] - origins.upper[axis], origins.lower[axis] - box.upper[axis]});
+    const float gap = std::max({0.0f, box.lower[axis] - origins.upper[axis], origins.lower[axis] - box.upper[axis]});
     distance2 += gap * gap;
   }
   return distance2 <= radius * radius * (1.0f + 0x1p-19f);
@@ -44,7 +43,10 @@ class EntryNode {
   void add_children_of(const Node& node) {
     for (int i = 0; i < kWidth && !node.children[i].is_empty(); ++i) {
       const Bounds box = node.child_bounds(i);
-      if (is_within_reach(box, origins_, radius_)) node_.set_child(count_++, box, node.children[i]);
+      if (!is_within_reach(box, origins_, radius_)) continue;
+      const ChildRef child = node.children[i];
+      reached_counts_[count_] = child.is_leaf() ? kWidth + 1 : reached_count(layout_.nodes[child.index()]);
+      node_.set_child(count_++, box, child);
     }
   }
 
@@ -53,9 +55,9 @@ class EntryNode {
     int largest = -1;
     float largest_area = -1;
     for (int i = 0; i < count_; ++i) {
-      if (node_.children[i].is_leaf()) continue;
+      if (count_ - 1 + reached_counts_[i] > kWidth) continue;
       const float area = half_area(node_.child_bounds(i));
-      if (area > largest_area && count_ - 1 + reached_count(layout_.nodes[node_.children[i].index()]) <= kWidth) {
+      if (area > largest_area) {
         largest = i;
         largest_area = area;
       }
@@ -64,6 +66,7 @@ class EntryNode {
     const Node& opened = layout_.nodes[node_.children[largest].index()];
     --count_;
     node_.set_child(largest, node_.child_bounds(count_), node_.children[count_]);
+    reached_counts_[largest] = reached_counts_[count_];
     node_.clear_child(count_);
     add_children_of(opened);
     return true;
@@ -74,6 +77,7 @@ class EntryNode {
   float radius_;
   Node node_;
   int count_ = 0;
+  int reached_counts_[kWidth];  // children of each child within reach; more than there is room for where it is a leaf
 };
 
 }  // namespace

@@ -77,11 +77,11 @@ struct alignas(64) Node {
 // What decides about rays and up to 4 triangles in single precision, from a receiver anywhere: see make_leaf. Triangles
 // fill the leaf from the front; the places that are left repeat the first.
 struct alignas(32) Leaf {
-  float vertex[3][kLeafWidth];        // one corner, the origin of the triangle's frame; by axis, then triangle
-  float u_gradient[3][kLeafWidth];    // of the first barycentric coordinate, which is 0 at `vertex`
-  float v_gradient[3][kLeafWidth];    // of the second
-  float back_normal[3][kLeafWidth];   // unit vector to the side that the triangle does not face
-  float steepness[kLeafWidth];        // largest component of the gradients; infinite: leave it to TriangleTest
+  float vertex[3][kLeafWidth];       // one corner, the origin of the triangle's frame; by axis, then triangle
+  float u_gradient[3][kLeafWidth];   // of the first barycentric coordinate, which is 0 at `vertex`
+  float v_gradient[3][kLeafWidth];   // of the second
+  float back_normal[3][kLeafWidth];  // unit vector to the side that the triangle does not face
+  float steepness[kLeafWidth];       // largest component of the gradients; infinite: leave it to TriangleTest
   std::uint32_t primitives[kLeafWidth];
 
   int triangle_count() const {

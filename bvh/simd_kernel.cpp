@@ -70,7 +70,7 @@ class SimdTraversal {
  private:
   // `active`: the open rays that may meet the node.
   void visit(const Node& node, const ActiveChunks& active) {
-    const RelativeBoxes boxes(node, query_.rays.origin, query_.up, query_.radius);
+    const RelativeBoxes boxes(node, query_.rays.origin, query_.rays.up, query_.radius);
     const int padded_count = active.padded_count();
     std::uint16_t met[kWidth][kMaxChunkCount];  // by child, then chunk of `active`
     std::uint32_t met_children = 0;

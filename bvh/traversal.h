@@ -16,7 +16,6 @@ namespace lkao::bvh {
 struct Query {
   const Node& root;  // where to begin: layout.root(), or an entry node for the origin of the rays
   const ReceiverRays& rays;
-  glm::vec3 up;  // geometric normal, unit length: no cast ray goes below its horizon
   float radius = 0;
   Sidedness sidedness = Sidedness::two_sided;
   std::uint32_t excluded_primitive = kNoPrimitive;
@@ -24,8 +23,12 @@ struct Query {
 
 // The definition for one triangle as the query's receiver sees it.
 inline TriangleTest make_test(const Layout& layout, std::uint32_t primitive, const Query& query) {
-  return {layout.corner(primitive, 0), layout.corner(primitive, 1), layout.corner(primitive, 2),
-          query.rays.origin,           query.radius,                query.sidedness};
+  return {layout.corner(primitive, 0),
+          layout.corner(primitive, 1),
+          layout.corner(primitive, 2),
+          query.rays.origin,
+          query.radius,
+          query.sidedness};
 }
 
 // Calls `function(ray)` for every ray of the mask.
@@ -86,7 +89,7 @@ class Traversal {
     int child_count = 0;
     for (int i = 0; i < kWidth && !node.children[i].is_empty(); ++i) {
       const Bounds box = node.child_bounds(i);
-      if (is_out_of_reach(box, query_.rays.origin, query_.up, query_.radius)) continue;
+      if (is_out_of_reach(box, query_.rays.origin, query_.rays.up, query_.radius)) continue;
       child_masks[i] = kernel_.node_mask(box, mask);
       ray_counts[i] = child_masks[i].count();
       if (ray_counts[i] == 0) continue;

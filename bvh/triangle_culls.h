@@ -21,7 +21,8 @@ inline bool is_culled(const glm::vec3& corner_a, const glm::vec3& corner_b, cons
   const float size = std::max(glm::length(a), std::max(glm::length(b), glm::length(c)));
 
   // 1. All vertices are below the horizon.
-  const float highest = std::max(glm::dot(query.up, a), std::max(glm::dot(query.up, b), glm::dot(query.up, c)));
+  const float highest =
+      std::max(glm::dot(query.rays.up, a), std::max(glm::dot(query.rays.up, b), glm::dot(query.rays.up, c)));
   if (highest < -kMargin * size) return true;
 
   // 2. The triangle is one-sided and faces away. 3. Its plane is farther than the radius.

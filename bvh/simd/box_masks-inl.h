@@ -20,7 +20,8 @@ namespace lkao::bvh::HWY_NAMESPACE {
 // The boxes of a node's children, relative to the origin of the rays: centers and half sizes.
 class RelativeBoxes {
  public:
-  // Of the children, only those within reach of a sphere of `radius` above the horizon of `up` are of use: see reached().
+  // Of the children, only those within reach of a sphere of `radius` above the horizon of `up` are of use: see
+  // reached().
   HWY_INLINE RelativeBoxes(const Node& node, const glm::vec3& origin, const glm::vec3& up, float radius) {
     const BoxTag tag;
     const auto zero = hn::Zero(tag), half = hn::Set(tag, 0.5f), slack = hn::Set(tag, 0x1p-20f);
@@ -67,8 +68,9 @@ class RelativeBoxes {
                  to_z = hn::Mul(hn::Set(tag, center_[2][child]), z);
       const auto size_x = hn::Set(tag, half_size_[0][child]), size_y = hn::Set(tag, half_size_[1][child]),
                  size_z = hn::Set(tag, half_size_[2][child]);
-      const auto enter = hn::Max(hn::Max(hn::NegMulAdd(size_x, hn::Abs(x), to_x), hn::NegMulAdd(size_y, hn::Abs(y), to_y)),
-                                 hn::Max(hn::NegMulAdd(size_z, hn::Abs(z), to_z), zero));
+      const auto enter =
+          hn::Max(hn::Max(hn::NegMulAdd(size_x, hn::Abs(x), to_x), hn::NegMulAdd(size_y, hn::Abs(y), to_y)),
+                  hn::Max(hn::NegMulAdd(size_z, hn::Abs(z), to_z), zero));
       const auto leave = hn::Min(hn::Min(hn::MulAdd(size_x, hn::Abs(x), to_x), hn::MulAdd(size_y, hn::Abs(y), to_y)),
                                  hn::Min(hn::MulAdd(size_z, hn::Abs(z), to_z), one));
       missed |= bits_of(tag, hn::Gt(enter, leave)) << i;

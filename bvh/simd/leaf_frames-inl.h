@@ -53,16 +53,17 @@ struct LeafReceiver {
 // distance >= 0 and `towards` is measured towards the plane. The ray meets the triangle where, multiplied by `towards`,
 //   u towards + distance du >= 0,  v towards + distance dv >= 0,  their sum <= towards,  and towards >= distance.
 //
-// Error bounds, with e = 2^-24, |p| the L1 norm of origin - vertex, r the length of the longest ray (L1: 1.7321 r) and g
-// the steepness: gradients, difference and the sums of three products make the origin's coordinates uncertain by
-// 5 e g |p| and 5 e |p|, the ray's by 4 e g 1.7321 r and 4 e 1.7321 r, so the two products and their sum by
-// 22 e g |p| 1.7321 r = 39 e g |p| r. The third edge adds up the errors of both, and 6 e 1.7321 r. The bounds below
-// grant more than that. To |p| comes a little for the definition's own tolerance where the origin is at the vertex.
+// Error bounds, with e = 2^-24, |p| the L1 norm of origin - vertex, r the length of the longest ray (L1: 1.7321 r) and
+// g the steepness: gradients, difference and the sums of three products make the origin's coordinates uncertain by 5 e
+// g |p| and 5 e |p|, the ray's by 4 e g 1.7321 r and 4 e 1.7321 r, so the two products and their sum by 22 e g
+// |p| 1.7321 r = 39 e g |p| r. The third edge adds up the errors of both, and 6 e 1.7321 r. The bounds below grant more
+// than that. To |p| comes a little for the definition's own tolerance where the origin is at the vertex.
 class LeafFrames {
  public:
   HWY_INLINE LeafFrames(const LeafReceiver& receiver, const Leaf& leaf) : leaf_(leaf) {
     const TriangleTag tag;
-    const auto px = hn::Sub(receiver.origin_x, load(leaf.vertex[0])), py = hn::Sub(receiver.origin_y, load(leaf.vertex[1])),
+    const auto px = hn::Sub(receiver.origin_x, load(leaf.vertex[0])),
+               py = hn::Sub(receiver.origin_y, load(leaf.vertex[1])),
                pz = hn::Sub(receiver.origin_z, load(leaf.vertex[2]));
     u_ = dot(leaf.u_gradient, px, py, pz);
     v_ = dot(leaf.v_gradient, px, py, pz);

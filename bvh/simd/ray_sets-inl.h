@@ -24,7 +24,8 @@ inline constexpr int kMaxChunkCount = kMaxRayCount / kLaneCount;
 // The rays of a receiver, component by component, and those that are open: cast and not yet blocked.
 class RaySet {
  public:
-  explicit RaySet(const ReceiverRays& rays) : x(rays.x), y(rays.y), z(rays.z), chunk_count(rays.ray_count / kLaneCount) {
+  explicit RaySet(const ReceiverRays& rays)
+      : x(rays.x), y(rays.y), z(rays.z), chunk_count(rays.ray_count / kLaneCount) {
     std::memcpy(open, rays.cast.words, sizeof(open));
     invert(rays.x, rays.ray_count, inverse_x);
     invert(rays.y, rays.ray_count, inverse_y);
@@ -50,8 +51,8 @@ class RaySet {
   alignas(64) std::uint16_t open[kMaxChunkCount];
 
  private:
-  // Reciprocals, within 2^-21 of the truth. Components shorter than half the margin of boxes count as that long, so that
-  // no product with a face overflows: along such a component the ray leaves the box no later than it did.
+  // Reciprocals, within 2^-21 of the truth. Components shorter than half the margin of boxes count as that long, so
+  // that no product with a face overflows: along such a component the ray leaves the box no later than it did.
   static void invert(const float* from, int count, float* to) {
     const RayTag tag;
     const auto shortest = hn::Set(tag, 0.5f * Node::kMargin), two = hn::Set(tag, 2.0f);

@@ -124,14 +124,12 @@ class RayStream {
         };
         const auto x0 = at(0, 0, ox, x), x1 = at(1, 0, ox, x), y0 = at(0, 1, oy, y), y1 = at(1, 1, oy, y),
                    z0 = at(0, 2, oz, z), z1 = at(1, 2, oz, z);
-        const auto enter =
-            hn::Max(hn::Max(hn::Min(x0, x1), hn::Min(y0, y1)), hn::Max(hn::Min(z0, z1), hn::Zero(tag)));
+        const auto enter = hn::Max(hn::Max(hn::Min(x0, x1), hn::Min(y0, y1)), hn::Max(hn::Min(z0, z1), hn::Zero(tag)));
         const auto leave =
             hn::Min(hn::Min(hn::Max(x0, x1), hn::Max(y0, y1)), hn::Min(hn::Max(z0, z1), hn::Set(tag, 1.0f)));
         const auto met = hn::RebindMask(bits_tag, hn::Le(enter, hn::Mul(leave, hn::Set(tag, kBoxSlack))));
         const auto children = hn::Load(bits_tag, node.child_bits() + i);
-        const auto is_leaf =
-            hn::RebindMask(bits_tag, hn::Lt(hn::BitCast(signed_tag, children), hn::Zero(signed_tag)));
+        const auto is_leaf = hn::RebindMask(bits_tag, hn::Lt(hn::BitCast(signed_tag, children), hn::Zero(signed_tag)));
         const auto leaves = hn::Xor(children, hn::Set(bits_tag, ChildRef::kLeafBit));
         leaf_count = append(leaves_, leaf_count, leaves, hn::And(met, is_leaf), ray);
         node_count = append(nodes_, node_count, children, hn::AndNot(is_leaf, met), ray);

@@ -88,6 +88,8 @@ struct ReceiverRays {
   // A rotation: where the pattern's axes go; the last column is near the normal. The direction of ray i is
   // frame x pattern().directions()[i].
   glm::mat3 frame{1};
+  // Unit vector, the geometric normal: no cast ray goes below its horizon.
+  glm::vec3 up{0, 0, 1};
   // Rays above the geometric horizon; the others are not cast. Empty for an invalid receiver.
   OcclusionMask cast;
   int ray_count = 0;

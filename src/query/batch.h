@@ -19,7 +19,7 @@ namespace lkao::query {
 template <typename AnswerPart>
 QueryReport run_batch(const SamplePattern& pattern, std::span<const Receiver> receivers, const QueryOutputs& outputs,
                       const AnswerPart& answer_part) {
-  constexpr std::size_t kGrain = 32;
+  constexpr std::size_t kGrain = 64;
   require_sizes(outputs, receivers.size(), pattern.word_count());
   return tbb::parallel_reduce(
       tbb::blocked_range<std::size_t>(0, receivers.size(), kGrain), QueryReport{},

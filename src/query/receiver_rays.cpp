@@ -53,7 +53,7 @@ glm::vec3 geometric_normal(const Receiver& receiver) {
 glm::mat3 jittered_frame(const Receiver& receiver, const Jitter& jitter, float lowest_elevation, std::uint64_t seed,
                          std::uint64_t index) {
   lut::RandomStream random(lut::mix_bits(seed) ^ index);
-  const double turn = random.next_double() * jitter.rotation * 2.0 * std::numbers::pi;
+  const auto turn = static_cast<float>(random.next_double() * jitter.rotation * 2.0 * std::numbers::pi);
   // Evenly over the disk of tilts; a tenth of the lowest elevation stays, so that rounding cannot use it up.
   const double largest_tilt = std::min(jitter.tilt, 0.9f * lowest_elevation);
   const double tilt = largest_tilt * std::sqrt(random.next_double());
@@ -95,16 +95,16 @@ Bounds bounds_of_origins(std::span<const Receiver> receivers, const QueryOptions
 
 void make_rays(const Receiver& receiver, const PatternLanes& pattern, const QueryOptions& options,
                float largest_coordinate, std::uint64_t index, ReceiverRays& rays) {
-    rays.cast = OcclusionMask();
+  rays.cast = OcclusionMask();
   rays.ray_count = static_cast<int>(pattern.x.size());
   rays.origin = receiver.position;
   if (!is_valid(receiver)) return;
 
-  const glm::vec3 up = geometric_normal(receiver);
-  rays.origin = receiver.position + up * offset_of(receiver, options, largest_coordinate);
+  rays.up = geometric_normal(receiver);
+  rays.origin = receiver.position + rays.up * offset_of(receiver, options, largest_coordinate);
 
   rays.frame = jittered_frame(receiver, options.jitter, pattern.lowest_elevation, options.seed, index);
-  turn_pattern(pattern, rays.frame, options.radius, up, rays);
+  turn_pattern(pattern, rays.frame, options.radius, rays.up, rays);
 }
 
 }  // namespace lkao::query
