@@ -62,39 +62,44 @@ class SimdTraversal {
         stream_(layout, query, receiver_, rays_) {}
 
   OcclusionMask run() {
-    visit(query_.root, ActiveChunks(rays_));
+    const std::uint64_t all_chunks = ~std::uint64_t{0} >> (kMaxChunkCount - rays_.chunk_count);
+    visit(query_.root, {all_chunks, rays_.open});
     stream_.run();
     return query_.rays.cast & ~rays_.open_mask();
   }
 
  private:
-  // `active`: the open rays that may meet the node.
-  void visit(const Node& node, const ActiveChunks& active) {
+  // `active`: rays that may meet the node. Those that were blocked in the meantime are left out here.
+  void visit(const Node& node, const ActiveRays& active) {
     const RelativeBoxes boxes(node, query_.rays.origin, query_.rays.up, query_.radius);
-    const int padded_count = active.padded_count();
-    std::uint16_t met[kWidth][kMaxChunkCount];  // by child, then chunk of `active`
+    std::uint16_t met[kWidth][kMaxChunkCount];  // by child, then chunk
+    std::uint64_t met_chunks[kWidth];
+    int ray_counts[kWidth];
     std::uint32_t met_children = 0;
     for (std::uint32_t children = boxes.reached(); children != 0; children &= children - 1) {
       const int child = std::countr_zero(children);
-      std::uint32_t any = 0;
-      for (int i = 0; i < padded_count; i += kChunkStep) {
-        for (int k = i; k < i + kChunkStep; ++k) {
-          const std::uint32_t mask = active.masks[k] & boxes.rays_meeting(child, rays_, active.chunks[k]);
-          met[child][k] = static_cast<std::uint16_t>(mask);
-          any |= mask;
-        }
-      }
-      met_children |= (any != 0 ? 1u : 0u) << child;
+      int ray_count = 0;
+      std::uint64_t chunks = 0;
+      for_each_chunk(active.chunks, [&](int chunk) {
+        const std::uint32_t candidates = static_cast<std::uint32_t>(active.masks[chunk]) & rays_.open[chunk];
+        const std::uint32_t mask = candidates & boxes.rays_meeting(child, rays_, chunk);
+        met[child][chunk] = static_cast<std::uint16_t>(mask);
+        chunks |= static_cast<std::uint64_t>(mask != 0) << chunk;
+        ray_count += std::popcount(mask);
+      });
+      met_chunks[child] = chunks;
+      ray_counts[child] = ray_count;
+      met_children |= static_cast<std::uint32_t>(chunks != 0) << child;
     }
-    for (std::uint32_t children = met_children; children != 0; children &= children - 1) {
-      const int child = std::countr_zero(children);
-      visit(node.children[child], ActiveChunks(rays_, active, met[child]));
+    for (; met_children != 0; met_children &= met_children - 1) {
+      const int child = std::countr_zero(met_children);
+      visit(node.children[child], {met_chunks[child], met[child]}, ray_counts[child]);
     }
   }
 
-  void visit(ChildRef child, const ActiveChunks& active) {
-    const int few = child.is_leaf() ? kFewRaysPerChunk * active.count : kFewRays;
-    if (active.ray_count <= few) {
+  void visit(ChildRef child, const ActiveRays& active, int ray_count) {
+    const int few = child.is_leaf() ? kFewRaysPerChunk * std::popcount(active.chunks) : kFewRays;
+    if (ray_count <= few) {
       stream_.push(child, active);
     } else if (child.is_leaf()) {
       visit(layout_.leaves[child.index()], active);
@@ -103,17 +108,17 @@ class SimdTraversal {
     }
   }
 
-  void visit(const Leaf& leaf, const ActiveChunks& active) {
+  void visit(const Leaf& leaf, const ActiveRays& active) {
     const LeafFrames frames(receiver_, leaf);
     const LeafPlanes planes(frames);
-    for (int i = 0; i < active.count; ++i) {
-      const int chunk = active.chunks[i];
+    for_each_chunk(active.chunks, [&](int chunk) {
+      const std::uint32_t mask = active.masks[chunk];
       const Verdict rays = planes.blocked(rays_, chunk);
       std::uint32_t blocked = rays.sure;
-      const std::uint32_t in_doubt = rays.perhaps & ~rays.sure & active.masks[i];
+      const std::uint32_t in_doubt = rays.perhaps & ~rays.sure & mask;
       if (HWY_UNLIKELY(in_doubt != 0)) blocked |= resolve(leaf, chunk, in_doubt);
-      rays_.open[chunk] &= static_cast<std::uint16_t>(~(blocked & active.masks[i]));
-    }
+      rays_.open[chunk] &= static_cast<std::uint16_t>(~(blocked & mask));
+    });
   }
 
   // The rays in doubt, one by one.

@@ -66,45 +66,20 @@ class RaySet {
     }
   }
 };
+static_assert(kMaxChunkCount <= 64);
 static_assert(std::endian::native == std::endian::little, "a chunk is 16 bits of a 64-bit word");
 
-// Loops over chunks take this many at a time: whole numbers of them are easier to foresee for the processor.
-inline constexpr int kChunkStep = 4;
-
-// Some rays, by the chunks that have any.
-struct ActiveChunks {
-  // All open rays.
-  explicit ActiveChunks(const RaySet& rays) {
-    for (int chunk = 0; chunk < rays.chunk_count; ++chunk) add(chunk, rays.open[chunk]);
-    finish();
-  }
-  // Those that are open of the rays in `some_masks`, which go with the chunks of `some`.
-  ActiveChunks(const RaySet& rays, const ActiveChunks& some, const std::uint16_t* some_masks) {
-    for (int i = 0; i < some.count; ++i) {
-      add(some.chunks[i], static_cast<std::uint32_t>(some_masks[i]) & rays.open[some.chunks[i]]);
-    }
-    finish();
-  }
-
-  int padded_count() const { return (count + kChunkStep - 1) / kChunkStep * kChunkStep; }
-
-  int count = 0;      // of chunks
-  int ray_count = 0;  // in their masks
-  std::uint8_t chunks[kMaxChunkCount + kChunkStep];
-  std::uint16_t masks[kMaxChunkCount + kChunkStep];  // beyond `count`, up to a step: empty
-
- private:
-  // Without branches: what is not there is overwritten by the next.
-  HWY_INLINE void add(int chunk, std::uint32_t mask) {
-    chunks[count] = static_cast<std::uint8_t>(chunk);
-    masks[count] = static_cast<std::uint16_t>(mask);
-    count += mask != 0;
-    ray_count += std::popcount(mask);
-  }
-  HWY_INLINE void finish() {
-    for (int i = 0; i < kChunkStep; ++i) chunks[count + i] = 0, masks[count + i] = 0;
-  }
+// Some rays: the chunks that have any, and their masks by chunk number.
+struct ActiveRays {
+  std::uint64_t chunks;
+  const std::uint16_t* masks;  // where `chunks` has no bit there may be anything
 };
+
+// Calls `function(chunk)` for every bit.
+template <typename Function>
+HWY_INLINE void for_each_chunk(std::uint64_t chunks, const Function& function) {
+  for (; chunks != 0; chunks &= chunks - 1) function(std::countr_zero(chunks));
+}
 
 }  // namespace lkao::bvh::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -29,24 +29,26 @@ class RayStream {
   RayStream(const Layout& layout, const Query& query, const LeafReceiver& receiver, RaySet& rays)
       : layout_(layout), query_(query), receiver_(receiver), rays_(rays) {}
 
-  // Adds some rays that may meet a child.
-  HWY_INLINE void push(ChildRef child, const ActiveChunks& active) {
+  // Adds the rays that may meet a child.
+  HWY_INLINE void push(ChildRef child, const ActiveRays& active) {
     const hn::CappedTag<std::uint32_t, kLaneCount> tag;
     Pairs& pairs = child.is_leaf() ? leaves_ : nodes_;
     const auto index = hn::Set(tag, child.index());
-    for (int i = 0; i < active.count; ++i) {
-      std::uint32_t mask = active.masks[i];
-      auto rays = hn::Iota(tag, static_cast<std::uint32_t>(active.chunks[i]) * kLaneCount);
+    int count = pairs.count;
+    for_each_chunk(active.chunks, [&](int chunk) {
+      std::uint32_t mask = active.masks[chunk];
+      auto rays = hn::Iota(tag, static_cast<std::uint32_t>(chunk * kLaneCount));
       for (int lane = 0; lane < kLaneCount; lane += lane_count(tag)) {
         const std::uint32_t lanes = mask & ((1u << lane_count(tag)) - 1);
-        hn::StoreU(hn::Compress(rays, mask_of(tag, lanes)), tag, pairs.rays + pairs.count);
-        hn::StoreU(index, tag, pairs.children + pairs.count);
-        pairs.count += std::popcount(lanes);
+        hn::StoreU(hn::Compress(rays, mask_of(tag, lanes)), tag, pairs.rays + count);
+        hn::StoreU(index, tag, pairs.children + count);
+        count += std::popcount(lanes);
         mask >>= lane_count(tag);
         rays = hn::Add(rays, hn::Set(tag, static_cast<std::uint32_t>(lane_count(tag))));
       }
-    }
-    if (pairs.count > kFull) run();
+    });
+    pairs.count = count;
+    if (count > kFull) run();
   }
 
   // Closes all rays of the stream that some triangle blocks.
