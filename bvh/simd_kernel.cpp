@@ -35,6 +35,7 @@ HWY_AFTER_NAMESPACE();
 #else
 
 #include "bvh/simd/box_masks-inl.h"
+#include "bvh/simd/chunk_cones-inl.h"
 #include "bvh/simd/leaf_frames-inl.h"
 #include "bvh/simd/ray_sets-inl.h"
 #include "bvh/simd/ray_stream-inl.h"
@@ -59,6 +60,7 @@ class SimdTraversal {
         query_(query),
         receiver_(layout, query),
         rays_(query.rays),
+        cones_(query.cones, query.rays.frame, query.rays.ray_count / kLaneCount, query.radius),
         stream_(layout, query, receiver_, rays_) {}
 
   OcclusionMask run() {
@@ -80,7 +82,7 @@ class SimdTraversal {
       const int child = std::countr_zero(children);
       int ray_count = 0;
       std::uint64_t chunks = 0;
-      for_each_chunk(active.chunks, [&](int chunk) {
+      for_each_chunk(active.chunks & cones_.meeting(boxes, child), [&](int chunk) {
         const std::uint32_t candidates = static_cast<std::uint32_t>(active.masks[chunk]) & rays_.open[chunk];
         const std::uint32_t mask = candidates & boxes.rays_meeting(child, rays_, chunk);
         met[child][chunk] = static_cast<std::uint16_t>(mask);
@@ -139,6 +141,7 @@ class SimdTraversal {
   const Query& query_;
   LeafReceiver receiver_;
   RaySet rays_;
+  ChunkCones cones_;
   RayStream stream_;
 };
 

@@ -55,6 +55,10 @@ class RelativeBoxes {
   // Children that rays may reach.
   std::uint32_t reached() const { return reached_; }
 
+  // Faces of a child's box, a little outside of where they are.
+  float lower(int axis, int child) const { return center_[axis][child] - half_size_[axis][child]; }
+  float upper(int axis, int child) const { return center_[axis][child] + half_size_[axis][child]; }
+
   // Of the 16 rays of a chunk, those that may meet a child's box within their length. As may_meet.
   HWY_INLINE std::uint32_t rays_meeting(int child, const RaySet& rays, int chunk) const {
     const RayTag tag;

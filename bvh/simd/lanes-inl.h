@@ -43,6 +43,15 @@ HWY_INLINE std::uint32_t bits_of(Tag tag, Mask mask) {
   }
 }
 
+// Within 2^-21 of 1 / v.
+template <class Tag>
+HWY_INLINE hn::Vec<Tag> reciprocal(Tag tag, hn::Vec<Tag> v) {
+  auto inverse = hn::ApproximateReciprocal(v);
+  // Newton: the estimate may have as few as 8 bits.
+  for (int step = 0; step < 2; ++step) inverse = hn::Mul(inverse, hn::NegMulAdd(v, inverse, hn::Set(tag, 2.0f)));
+  return inverse;
+}
+
 // The other way round.
 template <class Tag>
 HWY_INLINE hn::Mask<Tag> mask_of(Tag tag, std::uint32_t bits) {

@@ -51,18 +51,15 @@ class RaySet {
   alignas(64) std::uint16_t open[kMaxChunkCount];
 
  private:
-  // Reciprocals, within 2^-21 of the truth. Components shorter than half the margin of boxes count as that long, so
+  // Components shorter than half the margin of boxes count as that long, so
   // that no product with a face overflows: along such a component the ray leaves the box no later than it did.
   static void invert(const float* from, int count, float* to) {
     const RayTag tag;
-    const auto shortest = hn::Set(tag, 0.5f * Node::kMargin), two = hn::Set(tag, 2.0f);
+    const auto shortest = hn::Set(tag, 0.5f * Node::kMargin);
     for (int i = 0; i < count; i += lane_count(tag)) {
       const auto component = hn::Load(tag, from + i);
       const auto limited = hn::CopySign(hn::Max(hn::Abs(component), shortest), component);
-      auto inverse = hn::ApproximateReciprocal(limited);
-      // Newton: the estimate may have as few as 8 bits.
-      for (int step = 0; step < 2; ++step) inverse = hn::Mul(inverse, hn::NegMulAdd(limited, inverse, two));
-      hn::Store(inverse, tag, to + i);
+      hn::Store(reciprocal(tag, limited), tag, to + i);
     }
   }
 };

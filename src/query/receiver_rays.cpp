@@ -73,7 +73,9 @@ glm::mat3 jittered_frame(const Receiver& receiver, const Jitter& jitter, float l
 }
 
 PatternLanes::PatternLanes(const SamplePattern& pattern)
-    : length(pattern.lengths().begin(), pattern.lengths().end()), lowest_elevation(pattern.lowest_elevation()) {
+    : length(pattern.lengths().begin(), pattern.lengths().end()),
+      lowest_elevation(pattern.lowest_elevation()),
+      cones(bvh::make_pattern_cones(pattern.directions())) {
   for (const glm::vec3& direction : pattern.directions()) {
     x.push_back(direction.x);
     y.push_back(direction.y);

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "bvh/pattern_cones.h"
 #include "lkao/ambient_occlusion.h"
 
 namespace lkao::query {
@@ -30,6 +31,7 @@ struct PatternLanes {
 
   std::vector<float> x, y, z, length;
   float lowest_elevation;
+  bvh::PatternCones cones;
 };
 
 // A box around the origins of the rays of all valid receivers; lower > upper where there is none.

@@ -1,0 +1,26 @@
+// Where the chunks of a sample pattern point: one cone for each 16 neighbouring rays.
+#pragma once
+
+#include <span>
+
+#include <glm/vec3.hpp>
+
+#include "lkao/occlusion_mask.h"
+
+namespace lkao::bvh {
+
+// Cones in the pattern's space, component by component. The directions of chunk i make an angle with the unit vector
+// (x, y, z)[i] whose cosine is no less than cosine[i], and whose sine is no more than sine[i]. Chunks behind the last
+// have the last one's cone.
+struct PatternCones {
+  static constexpr int kRaysPerCone = 16;
+  static constexpr int kMaxCount = kMaxRayCount / kRaysPerCone;
+
+  alignas(64) float x[kMaxCount], y[kMaxCount], z[kMaxCount];
+  alignas(64) float cosine[kMaxCount], sine[kMaxCount];
+};
+
+// Unit vectors, a multiple of 16 of them.
+PatternCones make_pattern_cones(std::span<const glm::vec3> directions);
+
+}  // namespace lkao::bvh

@@ -1,0 +1,112 @@
+// Which chunks of rays may meet a box at all. Included once for each SIMD target.
+#if defined(LKAO_BVH_SIMD_CHUNK_CONES_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef LKAO_BVH_SIMD_CHUNK_CONES_INL_H_
+#undef LKAO_BVH_SIMD_CHUNK_CONES_INL_H_
+#else
+#define LKAO_BVH_SIMD_CHUNK_CONES_INL_H_
+#endif
+
+#include <algorithm>
+#include <cstdint>
+
+#include <hwy/highway.h>
+
+#include "bvh/pattern_cones.h"
+#include "bvh/simd/box_masks-inl.h"
+#include "bvh/simd/lanes-inl.h"
+#include "lkao/ambient_occlusion.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace lkao::bvh::HWY_NAMESPACE {
+
+// The cones of a pattern as they lie at a receiver. From a cone, each component of its unit vectors is known to lie
+// within an interval; a box that lies on one side of the origin along an axis is entered no earlier than its near face
+// divided by the largest component, and left no later than its far face divided by the smallest.
+class ChunkCones {
+ public:
+  ChunkCones(const PatternCones& cones, const glm::mat3& frame, int chunk_count, float radius)
+      : chunk_count_(chunk_count), reach_(radius * kSlack), shortest_(radius * 0x1p-20f) {
+    if (chunk_count_ < kWorthwhileChunkCount) return;
+    const RayTag tag;
+    for (int i = 0; i < chunk_count; i += lane_count(tag)) {
+      const auto x = hn::Load(tag, cones.x + i), y = hn::Load(tag, cones.y + i), z = hn::Load(tag, cones.z + i);
+      const auto cosine = hn::Load(tag, cones.cosine + i), sine = hn::Load(tag, cones.sine + i);
+      for (int axis = 0; axis < 3; ++axis) {
+        const auto along =
+            hn::MulAdd(hn::Set(tag, frame[0][axis]), x,
+                       hn::MulAdd(hn::Set(tag, frame[1][axis]), y, hn::Mul(hn::Set(tag, frame[2][axis]), z)));
+        set_interval(axis, i, along, cosine, sine);
+      }
+    }
+  }
+
+  // Chunks that may meet a child's box, as bits.
+  HWY_INLINE std::uint64_t meeting(const RelativeBoxes& boxes, int child) const {
+    if (chunk_count_ < kWorthwhileChunkCount) return ~std::uint64_t{0};
+    const RayTag tag;
+    Floats gap[2][3],
+        far[2][3];  // up or down the axis; no gap where the box is not on that side, and next to no far face
+    for (int axis = 0; axis < 3; ++axis) {
+      const float lower = boxes.lower(axis, child), upper = boxes.upper(axis, child);
+      gap[0][axis] = hn::Set(tag, std::max(lower, 0.0f));
+      gap[1][axis] = hn::Set(tag, std::max(-upper, 0.0f));
+      far[0][axis] = hn::Set(tag, std::max(upper, shortest_));
+      far[1][axis] = hn::Set(tag, std::max(-lower, shortest_));
+    }
+    std::uint64_t chunks = 0;
+    for (int i = 0; i < chunk_count_; i += lane_count(tag)) {
+      auto enter = hn::Zero(tag), leave = hn::Set(tag, reach_);
+      for (int direction = 0; direction < 2; ++direction) {
+        for (int axis = 0; axis < 3; ++axis) {
+          enter = hn::Max(enter, hn::Mul(gap[direction][axis], hn::Load(tag, soonest_[direction][axis] + i)));
+          leave = hn::Min(leave, hn::Mul(far[direction][axis], hn::Load(tag, latest_[direction][axis] + i)));
+        }
+      }
+      chunks |= static_cast<std::uint64_t>(bits_of(tag, hn::Le(enter, leave))) << i;
+    }
+    return chunks;
+  }
+
+ private:
+  using Floats = hn::Vec<RayTag>;
+
+  // `along`: component of the cones' axes.
+  HWY_INLINE void set_interval(int axis, int first, Floats along, Floats cosine, Floats sine) {
+    const RayTag tag;
+    const auto one = hn::Set(tag, 1.0f), rounding = hn::Set(tag, 2e-6f);
+    // sin of the angle to the axis; the square's rounding error counts most where it is small.
+    const auto across = hn::Sqrt(hn::Max(hn::NegMulAdd(along, along, hn::Set(tag, 1.0f + 1e-6f)), hn::Zero(tag)));
+    const auto middle = hn::Mul(along, cosine), spread = hn::MulAdd(across, sine, rounding);
+    // A cone that holds the axis reaches 1.
+    const auto limit = hn::Sub(cosine, rounding);
+    const auto largest = hn::IfThenElse(hn::Ge(along, limit), one, hn::Add(middle, spread));
+    const auto smallest = hn::IfThenElse(hn::Ge(hn::Neg(along), limit), hn::Neg(one), hn::Sub(middle, spread));
+    hn::Store(limited_reciprocal(largest), tag, soonest_[0][axis] + first);
+    hn::Store(limited_reciprocal(hn::Neg(smallest)), tag, soonest_[1][axis] + first);
+    const auto slack = hn::Set(tag, kSlack);
+    hn::Store(hn::Mul(limited_reciprocal(smallest), slack), tag, latest_[0][axis] + first);
+    hn::Store(hn::Mul(limited_reciprocal(hn::Neg(largest)), slack), tag, latest_[1][axis] + first);
+  }
+
+  // 1 / v; large where v is not positive: no ray of the chunk goes that way, or not all of them.
+  static HWY_INLINE Floats limited_reciprocal(Floats v) {
+    const RayTag tag;
+    const auto limited = hn::Max(v, hn::Set(tag, 0x1p-40f));
+    return reciprocal(tag, limited);
+  }
+
+  // With fewer chunks their cones are so wide that too few boxes miss them.
+  static constexpr int kWorthwhileChunkCount = 16;
+  static constexpr float kSlack = 1.0f + 0x1p-16f;  // of lengths and reciprocals
+
+  int chunk_count_;
+  float reach_, shortest_;
+  // By direction (up or down the axis), axis and chunk: 1 / component.
+  alignas(64) float soonest_[2][3][kMaxChunkCount];
+  alignas(64) float latest_[2][3][kMaxChunkCount];
+};
+
+}  // namespace lkao::bvh::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // include guard
