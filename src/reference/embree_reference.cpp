@@ -119,10 +119,13 @@ ReceiverOcclusion EmbreeReference::query(const AmbientOcclusion& ao, const Recei
 
 QueryReport EmbreeReference::query(const AmbientOcclusion& ao, std::span<const Receiver> receivers,
                                    const QueryOutputs& outputs, std::uint64_t first_index) const {
-  return query::run_batch(ao.pattern(), receivers, outputs, first_index,
-                          [&](const Receiver& receiver, std::uint64_t index, ReceiverRays& rays) {
-                            return trace(*scene_, casting_, ao, receiver, index, rays);
-                          });
+  const auto answer_part = [&](std::size_t first, std::size_t last, const auto& take) {
+    ReceiverRays rays;
+    for (std::size_t k = first; k < last; ++k) {
+      take(k, rays, trace(*scene_, casting_, ao, receivers[k], first_index + k, rays));
+    }
+  };
+  return query::run_batch(ao.pattern(), receivers, outputs, answer_part);
 }
 
 }  // namespace lkao::reference
