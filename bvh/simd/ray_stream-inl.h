@@ -32,22 +32,21 @@ class RayStream {
   // Adds the rays that may meet a child.
   HWY_INLINE void push(ChildRef child, const ActiveRays& active) {
     const hn::CappedTag<std::uint32_t, kLaneCount> tag;
-    Pairs& pairs = child.is_leaf() ? leaves_ : nodes_;
-    const auto index = hn::Set(tag, child.index());
-    int count = pairs.count;
+    const auto bits = hn::Set(tag, child.bits());
+    int count = pairs_.count;
     for_each_chunk(active.chunks, [&](int chunk) {
       std::uint32_t mask = active.masks[chunk];
       auto rays = hn::Iota(tag, static_cast<std::uint32_t>(chunk * kLaneCount));
       for (int lane = 0; lane < kLaneCount; lane += lane_count(tag)) {
         const std::uint32_t lanes = mask & ((1u << lane_count(tag)) - 1);
-        hn::StoreU(hn::Compress(rays, mask_of(tag, lanes)), tag, pairs.rays + count);
-        hn::StoreU(index, tag, pairs.children + count);
+        hn::StoreU(hn::Compress(rays, mask_of(tag, lanes)), tag, pairs_.rays + count);
+        hn::StoreU(bits, tag, pairs_.children + count);
         count += std::popcount(lanes);
         mask >>= lane_count(tag);
         rays = hn::Add(rays, hn::Set(tag, static_cast<std::uint32_t>(lane_count(tag))));
       }
     });
-    pairs.count = count;
+    pairs_.count = count;
     if (count > kFull) run();
   }
 
@@ -56,7 +55,7 @@ class RayStream {
     Batch batches[2];
     int turn = 0;
     take(batches[turn]);
-    while (batches[turn].count > 0 || nodes_.count > 0) {
+    while (batches[turn].count > 0 || pairs_.count > 0) {
       take(batches[1 - turn]);
       visit_nodes(batches[turn]);
       turn = 1 - turn;
@@ -66,7 +65,7 @@ class RayStream {
   }
 
  private:
-  static constexpr int kBatch = 16;
+  static constexpr int kBatch = 24;
   // push() adds no more than all rays once; a batch no more than 8 children a pair. From kFull on pairs are answered
   // one by one, depth first, and each level of the hierarchy adds at most 7.
   static constexpr int kFull = 1024;
@@ -85,35 +84,41 @@ class RayStream {
     std::uint32_t rays[kBatch];
   };
 
-  // Moves pairs to the batch, those of open rays.
+  // Moves pairs to the batch or the leaves, those of open rays.
   HWY_INLINE void take(Batch& batch) {
-    const int count = nodes_.count > kFull ? 1 : std::min(kBatch, nodes_.count);
-    nodes_.count -= count;
-    batch.count = 0;
-    for (int i = nodes_.count; i < nodes_.count + count; ++i) {
-      const std::uint32_t node = nodes_.children[i], ray = nodes_.rays[i];
-      batch.nodes[batch.count] = node;
-      batch.rays[batch.count] = ray;
-      batch.count += rays_.is_open(ray);
-      prefetch(layout_.nodes[node]);
+    const int count = pairs_.count > kFull ? 1 : std::min(kBatch, pairs_.count);
+    pairs_.count -= count;
+    const Node* const nodes = layout_.nodes.data();
+    const Leaf* const leaves = layout_.leaves.data();
+    int node_count = 0, leaf_count = leaves_.count;
+    for (int i = pairs_.count; i < pairs_.count + count; ++i) {
+      const std::uint32_t bits = pairs_.children[i], ray = pairs_.rays[i];
+      const std::uint32_t index = bits & ~ChildRef::kLeafBit, is_leaf = bits >> 31, is_open = rays_.is_open(ray);
+      prefetch(is_leaf != 0 ? static_cast<const void*>(leaves + index) : nodes + index);
+      batch.nodes[node_count] = index;
+      batch.rays[node_count] = ray;
+      node_count += static_cast<int>(is_open & ~is_leaf);
+      leaves_.children[leaf_count] = index;
+      leaves_.rays[leaf_count] = ray;
+      leaf_count += static_cast<int>(is_open & is_leaf);
     }
+    batch.count = node_count;
+    leaves_.count = leaf_count;
   }
 
-  template <typename T>
-  static HWY_INLINE void prefetch(const T& item) {
-    for (std::size_t offset = 0; offset < sizeof(T); offset += 64) {
-      hwy::Prefetch(reinterpret_cast<const std::uint8_t*>(&item) + offset);
-    }
+  // A node or a leaf.
+  static HWY_INLINE void prefetch(const void* item) {
+    static_assert(sizeof(Node) <= 256 && sizeof(Leaf) <= 256);
+    for (int offset = 0; offset < 256; offset += 64) hwy::Prefetch(static_cast<const std::uint8_t*>(item) + offset);
   }
 
   HWY_INLINE void visit_nodes(const Batch& batch) {
     const BoxTag tag;
     const hn::RebindToUnsigned<BoxTag> bits_tag;
-    const hn::RebindToSigned<BoxTag> signed_tag;
     const Node* const nodes = layout_.nodes.data();
     const glm::vec3 origin = query_.rays.origin;
     const auto ox = hn::Set(tag, origin.x), oy = hn::Set(tag, origin.y), oz = hn::Set(tag, origin.z);
-    int node_count = nodes_.count, leaf_count = leaves_.count;
+    int count = pairs_.count;
     for (int k = 0; k < batch.count; ++k) {
       const Node& node = nodes[batch.nodes[k]];
       const std::uint32_t ray = batch.rays[k];
@@ -131,35 +136,19 @@ class RayStream {
             hn::Min(hn::Min(hn::Max(x0, x1), hn::Max(y0, y1)), hn::Min(hn::Max(z0, z1), hn::Set(tag, 1.0f)));
         const auto met = hn::RebindMask(bits_tag, hn::Le(enter, hn::Mul(leave, hn::Set(tag, kBoxSlack))));
         const auto children = hn::Load(bits_tag, node.child_bits() + i);
-        const auto is_leaf = hn::RebindMask(bits_tag, hn::Lt(hn::BitCast(signed_tag, children), hn::Zero(signed_tag)));
-        const auto leaves = hn::Xor(children, hn::Set(bits_tag, ChildRef::kLeafBit));
-        leaf_count = append(leaves_, leaf_count, leaves, hn::And(met, is_leaf), ray);
-        node_count = append(nodes_, node_count, children, hn::AndNot(is_leaf, met), ray);
+        hn::StoreU(hn::Compress(children, met), bits_tag, pairs_.children + count);
+        hn::StoreU(hn::Set(bits_tag, ray), bits_tag, pairs_.rays + count);
+        count += static_cast<int>(hn::CountTrue(bits_tag, met));
       }
     }
-    nodes_.count = node_count;
-    leaves_.count = leaf_count;
-  }
-
-  template <class V, class M>
-  static HWY_INLINE int append(Pairs& pairs, int count, V children, M mask, std::uint32_t ray) {
-    const hn::RebindToUnsigned<BoxTag> tag;
-    hn::StoreU(hn::Compress(children, mask), tag, pairs.children + count);
-    hn::StoreU(hn::Set(tag, ray), tag, pairs.rays + count);
-    return count + static_cast<int>(hn::CountTrue(tag, mask));
+    pairs_.count = count;
   }
 
   HWY_INLINE void visit_leaves() {
-    constexpr int kAhead = 8;
     const LeafReceiver receiver = receiver_;
     const Leaf* const leaves = layout_.leaves.data();
     const int count = leaves_.count;
-    for (int i = 0; i < std::min(kAhead, count); ++i) prefetch(leaves[leaves_.children[i]]);
-    for (int i = 0; i < count; ++i) {
-      const std::uint32_t ray = leaves_.rays[i];
-      prefetch(leaves[leaves_.children[std::min(i + kAhead, count - 1)]]);
-      visit(receiver, leaves[leaves_.children[i]], ray);
-    }
+    for (int i = 0; i < count; ++i) visit(receiver, leaves[leaves_.children[i]], leaves_.rays[i]);
     leaves_.count = 0;
   }
 
@@ -185,8 +174,8 @@ class RayStream {
   const Query& query_;
   const LeafReceiver& receiver_;
   RaySet& rays_;
-  Pairs nodes_;   // indices into layout_.nodes
-  Pairs leaves_;  // into layout_.leaves
+  Pairs pairs_;   // children as ChildRef::bits
+  Pairs leaves_;  // children as indices into layout_.leaves
 };
 
 }  // namespace lkao::bvh::HWY_NAMESPACE
