@@ -17,9 +17,10 @@ namespace lkao::bvh {
 // The four planes of one triangle as one receiver sees them, and how far rounding may have moved them.
 //
 // Everything is in double, from float coordinates: differences of coordinates are then exact unless one is 2^29 times
-// the other, and each of the dot products below is within kRounding of the product of the L1 norms of its factors. A
-// ray within that of a plane counts as beyond it, so triangles that share an edge leave no gap between them, not even
-// at their corners or where a zero-area triangle between them was dropped; the surplus is some 1e-15 wide.
+// the other. Cross products carry the residues of their products along, so that they are precise for slivers too, and
+// each of the dot products below is within kRounding of the product of the L1 norms of its factors. A ray within that of
+// a plane counts as beyond it, so triangles that share an edge leave no gap between them, not even at their corners or
+// where a zero-area triangle between them was dropped; the surplus is some 1e-15 wide, whatever the triangle's shape.
 //
 // Edge planes come from (a + b) x (b - a) = 2 (a x b), which keeps its precision for small triangles far away, and
 // which changes nothing but its sign when a and b change places.
@@ -87,7 +88,7 @@ class TriangleTest {
 
   static double norm(const glm::dvec3& v) { return std::fabs(v.x) + std::fabs(v.y) + std::fabs(v.z); }
 
-  // a b - c d
+  // a b - c d. Exchanging the products changes its sign and nothing else.
   static double precise_difference(double a, double b, double c, double d) {
     const double first = a * b, second = c * d;
     return (first - second) + (std::fma(a, b, -first) - std::fma(c, d, -second));
