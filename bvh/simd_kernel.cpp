@@ -44,14 +44,8 @@ HWY_BEFORE_NAMESPACE();
 namespace lkao::bvh::HWY_NAMESPACE {
 namespace {
 
-#ifndef T_FEW
-#define T_FEW 16
-#endif
-#ifndef T_LEAF
-#define T_LEAF 1
-#endif
-// A child goes to the stream if it meets no more rays than this, a leaf if it meets no more in a chunk on average.
-constexpr int kFewRays = T_FEW, kFewRaysPerChunk = T_LEAF;
+// A node goes to the stream if it meets no more rays than this, a leaf if it meets no more in a chunk on average.
+constexpr int kFewRays = 16, kFewRaysPerChunk = 1;
 
 class SimdTraversal {
  public:

@@ -18,9 +18,10 @@ namespace lkao::bvh {
 //
 // Everything is in double, from float coordinates: differences of coordinates are then exact unless one is 2^29 times
 // the other. Cross products carry the residues of their products along, so that they are precise for slivers too, and
-// each of the dot products below is within kRounding of the product of the L1 norms of its factors. A ray within that of
-// a plane counts as beyond it, so triangles that share an edge leave no gap between them, not even at their corners or
-// where a zero-area triangle between them was dropped; the surplus is some 1e-15 wide, whatever the triangle's shape.
+// each of the dot products below is within kRounding of the product of the L1 norms of its factors. A ray within that
+// of a plane counts as beyond it, so triangles that share an edge leave no gap between them, not even at their corners
+// or where a zero-area triangle between them was dropped; the surplus is some 1e-15 wide, whatever the triangle's
+// shape.
 //
 // Edge planes come from (a + b) x (b - a) = 2 (a x b), which keeps its precision for small triangles far away, and
 // which changes nothing but its sign when a and b change places.

@@ -44,8 +44,8 @@ class ChunkCones {
   HWY_INLINE std::uint64_t meeting(const RelativeBoxes& boxes, int child) const {
     if (chunk_count_ < kWorthwhileChunkCount) return ~std::uint64_t{0};
     const RayTag tag;
-    Floats gap[2][3],
-        far[2][3];  // up or down the axis; no gap where the box is not on that side, and next to no far face
+    // Where the box begins and ends, up and down the axis: 0 and next to 0 where it does not on that side.
+    Floats gap[2][3], far[2][3];
     for (int axis = 0; axis < 3; ++axis) {
       const float lower = boxes.lower(axis, child), upper = boxes.upper(axis, child);
       gap[0][axis] = hn::Set(tag, std::max(lower, 0.0f));
