@@ -21,7 +21,8 @@ class OcclusionMask {
 
   // Number of set bits.
   int count() const {
-    // Bits of every byte, added up over the words: compilers make vectors of it even where there is no such instruction.
+    // Bits of every byte, added up over the words: compilers make vectors of it even where there is no such
+    // instruction.
     static_assert(kMaxRayCount / 64 * 8 < 256);
     std::uint64_t bytes = 0;
     for (std::uint64_t word : words) {
