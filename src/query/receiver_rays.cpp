@@ -53,7 +53,7 @@ glm::vec3 geometric_normal(const Receiver& receiver) {
 glm::mat3 jittered_frame(const Receiver& receiver, const Jitter& jitter, float lowest_elevation, std::uint64_t seed,
                          std::uint64_t index) {
   lut::RandomStream random(lut::mix_bits(seed) ^ index);
-  const auto turn = static_cast<float>(random.next_double() * jitter.rotation * 2.0 * std::numbers::pi);
+  const double turn = random.next_double() * jitter.rotation * 2.0 * std::numbers::pi;
   // Evenly over the disk of tilts; a tenth of the lowest elevation stays, so that rounding cannot use it up.
   const double largest_tilt = std::min(jitter.tilt, 0.9f * lowest_elevation);
   const double tilt = largest_tilt * std::sqrt(random.next_double());

@@ -1,0 +1,138 @@
+// The public face of the pass.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <utility>
+
+#include "gpu/g_buffer.h"
+#include "gpu/gl_error.h"
+#include "gpu/pass_state.h"
+#include "gpu/state_keeper.h"
+
+namespace lkao::gl {
+namespace {
+
+void require(bool condition, const char* option, const char* range, double value) {
+  if (!condition) throw std::invalid_argument(fmt::format("{} must be {}, not {}", option, range, value));
+}
+
+void validate(const DrawOptions& options) {
+  require(options.radius > 0 && options.radius <= 1e18f, "radius", "greater than 0 and at most 1e18", options.radius);
+  require(options.rotation >= 0 && options.rotation <= 1, "rotation", "in [0, 1] turns", options.rotation);
+  require(options.tilt >= 0 && options.tilt <= 0.5f * std::numbers::pi_v<float>, "tilt", "in [0, pi/2] radians",
+          options.tilt);
+  require(std::isfinite(options.surface_offset) && options.surface_offset >= 0, "surface_offset",
+          "finite and at least 0", options.surface_offset);
+  require(options.billboard_threshold >= 0, "billboard_threshold", "at least 0", options.billboard_threshold);
+}
+
+// Before each call: a context, and no error of somebody else's that would be taken for one of ours.
+void begin() {
+  require_context();
+  check_errors("something before lkao was called");
+}
+
+}  // namespace
+
+OcclusionPass::OcclusionPass(const PassSetup& setup) {
+  begin();
+  const StateKeeper keeper;
+  state_ = std::make_unique<State>(setup);
+  check_errors("making an OcclusionPass");
+}
+
+OcclusionPass::~OcclusionPass() = default;
+OcclusionPass::OcclusionPass(OcclusionPass&&) noexcept = default;
+OcclusionPass& OcclusionPass::operator=(OcclusionPass&&) noexcept = default;
+
+void OcclusionPass::set_occluders(std::span<const glm::vec3> positions, std::span<const glm::uvec3> triangles) {
+  begin();
+  state_->occluders.set(positions, triangles);
+}
+
+void OcclusionPass::update_positions(std::span<const glm::vec3> positions) {
+  begin();
+  state_->occluders.update(positions);
+}
+
+ObjectName OcclusionPass::positions_buffer() const { return state_->occluders.positions_buffer(); }
+
+void OcclusionPass::set_table(const PlaneMaskTable& table) {
+  begin();
+  const StateKeeper keeper;
+  TableBuffer buffer(table);
+  const PassSetup& setup = state_->setup;
+  const Defines defines = {{"LKAO_LAYERS", buffer.layer_count()},
+                           {"LKAO_MUST_MAY", buffer.has_bounds()},
+                           {"LKAO_CUBE_ADDRESSING", buffer.is_cube()},
+                           {"LKAO_DOUBLE", setup.precision == Precision::double_precision},
+                           {"LKAO_ATOMICS", setup.accumulator == Accumulator::ssbo},
+                           {"LKAO_COUNT", setup.count_fragments}};
+  state_->shapes = make_shape_programs(setup.geometry, "accumulate.frag", defines);
+  state_->table = std::move(buffer);
+  state_->is_drawn = false;
+}
+
+void OcclusionPass::draw(const GBuffer& g_buffer, const Camera& camera, const DrawOptions& options) {
+  begin();
+  validate(options);
+  validate(g_buffer);
+  if (!state_->table) throw std::runtime_error("draw() needs a plane mask table: call set_table() first");
+  const StateKeeper keeper;
+  state_->is_drawn = false;
+  const int layer_count = state_->table->layer_count();
+  if (!state_->targets.fits(g_buffer.width, g_buffer.height, layer_count)) {
+    // The old ones first: there may not be room for both.
+    state_->targets = Targets();
+    state_->targets =
+        Targets(g_buffer.width, g_buffer.height, layer_count, state_->setup.accumulator == Accumulator::ssbo);
+  }
+  state_->set_uniforms(g_buffer, camera, options);
+  state_->bind_uniforms();
+  state_->occluders.classify(state_->classify.name(), options.two_sided);
+  state_->find_receivers();
+  state_->draw_depths();
+  state_->draw_shapes(camera);
+  state_->drop_rays_not_cast();
+  check_errors("drawing occlusion masks");
+  state_->is_drawn = true;
+}
+
+void OcclusionPass::resolve(const ResolveTargets& targets) {
+  begin();
+  state_->require_drawn();
+  validate(targets, state_->targets.width(), state_->targets.height());
+  const StateKeeper keeper;
+  PassUniforms& uniforms = state_->uniforms;
+  uniforms.flags.x &= ~(LKAO_FLAG_WRITE_OCCLUSION | LKAO_FLAG_WRITE_BENT_NORMALS);
+  uniforms.jitter.z = targets.background;
+  if (targets.occlusion != 0) {
+    uniforms.flags.x |= LKAO_FLAG_WRITE_OCCLUSION;
+    glBindImageTexture(0, targets.occlusion, 0, GL_FALSE, 0, GL_WRITE_ONLY, format_of(targets.occlusion));
+  }
+  if (targets.bent_normals != 0) {
+    uniforms.flags.x |= LKAO_FLAG_WRITE_BENT_NORMALS;
+    glBindImageTexture(1, targets.bent_normals, 0, GL_FALSE, 0, GL_WRITE_ONLY, format_of(targets.bent_normals));
+  }
+  state_->bind_uniforms();
+  state_->table->bind();
+  glBindTextureUnit(LKAO_UNIT_RECEIVERS, state_->targets.receivers());
+  glBindTextureUnit(LKAO_UNIT_MASKS, state_->targets.masks());
+  glUseProgram(state_->resolve.name());
+  state_->dispatch_over_pixels();
+  glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT |
+                  GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_PIXEL_BUFFER_BARRIER_BIT);
+  check_errors("resolving occlusion");
+}
+
+ObjectName OcclusionPass::masks_texture() const {
+  state_->require_drawn();
+  return state_->targets.masks();
+}
+
+GeometryBackEnd OcclusionPass::geometry() const { return state_->setup.geometry; }
+Accumulator OcclusionPass::accumulator() const { return state_->setup.accumulator; }
+
+}  // namespace lkao::gl

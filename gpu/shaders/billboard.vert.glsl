@@ -1,0 +1,19 @@
+#version 450 core
+// Billboards by vertex pulling.
+#include "pass.glsl"
+#include "occluder.glsl"
+#include "billboard.glsl"
+#include "shape.glsl"
+#include "pull.glsl"
+
+void main() {
+  uint triangle;
+  int vertex;
+  if (!find_triangle(2 * LKAO_SHAPE_VERTEX_COUNT, LKAO_DRAW_BILLBOARD_ARRAYS, triangle, vertex)) {
+    gl_Position = vec4(0, 0, 0, 1);
+    return;
+  }
+  Occluder o = fetch_occluder(triangle);
+  gl_Position = billboard_vertex(o, vertex / LKAO_SHAPE_VERTEX_COUNT, vertex % LKAO_SHAPE_VERTEX_COUNT);
+  pass_on(o);
+}

@@ -1,0 +1,4 @@
+#version 450 core
+// One triangle over the whole screen.
+
+void main() { gl_Position = vec4(gl_VertexID == 1 ? 3 : -1, gl_VertexID == 2 ? 3 : -1, 0, 1); }

@@ -1,0 +1,106 @@
+#include "gpu/table_buffer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <stdexcept>
+#include <vector>
+
+#include <glm/geometric.hpp>
+
+#include "gpu/gl_error.h"
+#include "gpu/shaders/constants.h"
+
+namespace lkao::gl {
+namespace {
+
+// Cells along the side of a cube map of so many cells.
+std::uint32_t side_of(std::uint32_t cell_count) {
+  return static_cast<std::uint32_t>(std::lround(std::sqrt(cell_count / 6.0)));
+}
+
+constexpr std::size_t kTexelWords = 2;  // 64-bit words of a texel
+
+}  // namespace
+
+TableBuffer::TableBuffer(const PlaneMaskTable& table)
+    : ray_count_(table.pattern().ray_count()),
+      is_cube_(table.options().addressing == PlaneAddressing::cube),
+      has_bounds_(table.options().masks == PlaneMasks::must_may),
+      lowest_elevation_(table.pattern().lowest_elevation()) {
+  find_cells(table);
+  upload_masks(table);
+  upload_pattern(table.pattern());
+}
+
+// The sizes of the maps, read off the addresses of the first cells of the first and the last slice.
+void TableBuffer::find_cells(const PlaneMaskTable& table) {
+  if (is_cube_) {
+    cells_.x = static_cast<std::uint32_t>(table.options().resolution);
+    return;
+  }
+  const glm::vec3 first = glm::normalize(glm::vec3(1, -1, -1));
+  const std::uint32_t edge_cell_count = table.cell(first, 0.0f);
+  const std::uint32_t slice_cell_count = table.cell_count() - table.cell(first, 1.0f);
+  const std::uint32_t slice_count = (table.cell_count() - edge_cell_count) / slice_cell_count;
+  cells_ = {static_cast<std::uint32_t>(table.options().resolution), side_of(edge_cell_count), side_of(slice_cell_count),
+            slice_count};
+  cell_offsets_ = {edge_cell_count, slice_cell_count, 0, 0};
+}
+
+// Each mask is filled up to whole texels; of each cell either its mask or `must`, then `may`.
+void TableBuffer::upload_masks(const PlaneMaskTable& table) {
+  const auto words = static_cast<std::size_t>(table.pattern().word_count());
+  const std::size_t mask_words = kTexelWords * static_cast<std::size_t>(layer_count());
+  const std::size_t cell_words = has_bounds_ ? 2 * mask_words : mask_words, cell_count = table.cell_count();
+  const std::size_t texel_count = cell_count * cell_words / kTexelWords;
+  GLint largest = 0;
+  glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &largest);
+  if (texel_count > static_cast<std::size_t>(largest)) {
+    throw std::runtime_error(fmt::format(
+        "the plane mask table has {} texels, and this OpenGL's buffer textures only {}: lower its resolution",
+        texel_count, largest));
+  }
+
+  constexpr std::size_t kChunkCells = 16384;
+  masks_ = make_buffer(static_cast<GLsizeiptr>(texel_count * 16), nullptr, GL_DYNAMIC_STORAGE_BIT);
+  std::vector<std::uint64_t> chunk(kChunkCells * cell_words);
+  for (std::size_t first = 0; first < cell_count; first += kChunkCells) {
+    const std::size_t count = std::min(kChunkCells, cell_count - first);
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto cell = static_cast<std::uint32_t>(first + i);
+      std::uint64_t* target = chunk.data() + i * cell_words;
+      std::copy_n(has_bounds_ ? table.must(cell) : table.nearest(cell), words, target);
+      if (has_bounds_) std::copy_n(table.may(cell), words, target + mask_words);
+    }
+    glNamedBufferSubData(masks_.name(), static_cast<GLintptr>(first * cell_words * 8),
+                         static_cast<GLsizeiptr>(count * cell_words * 8), chunk.data());
+  }
+  mask_texture_ = make_buffer_texture(GL_RGBA32UI, masks_);
+  check_errors("copying the plane mask table");
+}
+
+void TableBuffer::upload_pattern(const SamplePattern& pattern) {
+  std::vector<glm::vec4> rays;
+  for (std::size_t i = 0; i < pattern.directions().size(); ++i) {
+    rays.emplace_back(pattern.directions()[i], pattern.lengths()[i]);
+  }
+  pattern_ = make_buffer(static_cast<GLsizeiptr>(rays.size() * sizeof(glm::vec4)), rays.data(), 0);
+  pattern_texture_ = make_buffer_texture(GL_RGBA32F, pattern_);
+  check_errors("copying the sample pattern");
+}
+
+void TableBuffer::bind() const {
+  glBindTextureUnit(LKAO_UNIT_TABLE, mask_texture_.name());
+  glBindTextureUnit(LKAO_UNIT_PATTERN, pattern_texture_.name());
+}
+
+void TableBuffer::set_uniforms(PassUniforms& uniforms) const {
+  uniforms.flags.y = static_cast<std::uint32_t>(ray_count_);
+  uniforms.cells = cells_;
+  uniforms.cell_offsets = cell_offsets_;
+}
+
+}  // namespace lkao::gl

@@ -1,0 +1,42 @@
+// The plane mask table and its sample pattern on the GPU.
+#pragma once
+
+#include "gpu/gl_objects.h"
+#include "gpu/pass_uniforms.h"
+#include "lkao/plane_mask_table.h"
+
+namespace lkao::gl {
+
+class TableBuffer {
+ public:
+  TableBuffer() = default;
+  // Throws std::runtime_error where the table is larger than the driver's buffer textures.
+  explicit TableBuffer(const PlaneMaskTable& table);
+
+  int ray_count() const { return ray_count_; }
+  // 128-bit parts of a mask.
+  int layer_count() const { return (ray_count_ + 127) / 128; }
+  bool is_cube() const { return is_cube_; }
+  bool has_bounds() const { return has_bounds_; }
+  // In radians, of the pattern.
+  float lowest_elevation() const { return lowest_elevation_; }
+
+  void bind() const;
+  void set_uniforms(PassUniforms& uniforms) const;
+
+ private:
+  void find_cells(const PlaneMaskTable& table);
+  void upload_masks(const PlaneMaskTable& table);
+  void upload_pattern(const SamplePattern& pattern);
+
+  int ray_count_ = 0;
+  bool is_cube_ = false;
+  bool has_bounds_ = false;
+  float lowest_elevation_ = 0;
+  glm::uvec4 cells_{0};
+  glm::uvec4 cell_offsets_{0};
+  Buffer masks_, pattern_;
+  Texture mask_texture_, pattern_texture_;
+};
+
+}  // namespace lkao::gl

@@ -1,0 +1,142 @@
+// Every kind of camera and G-buffer gives the CPU's masks for the receivers that it shows.
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <string>
+#include <vector>
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "gpu/cpu_rays.h"
+#include "gpu/on_software.h"
+#include "gpu/pass_scene.h"
+
+namespace lkao::gl::tests {
+namespace {
+
+constexpr int kWidth = 96;
+constexpr int kHeight = 72;
+constexpr float kAspect = static_cast<float>(kWidth) / kHeight;
+
+struct NamedCamera {
+  std::string name;
+  Camera camera;
+};
+
+std::vector<NamedCamera> all_cameras() {
+  const glm::mat4 view = room_camera(kWidth, kHeight).view;
+  const auto zero_to_one = ClipDepth::zero_to_one, minus_one = ClipDepth::minus_one_to_one;
+  glm::mat4 infinite_reversed(0);
+  infinite_reversed[0][0] = 1.1f;
+  infinite_reversed[1][1] = 1.1f * kAspect;
+  infinite_reversed[3][2] = 0.05f;
+  infinite_reversed[2][3] = -1;
+  const glm::mat4 mirror = glm::scale(glm::mat4(1), glm::vec3(1, -1, 1));
+  return {{"perspective", {view, glm::perspectiveRH_NO(1.2f, kAspect, 0.05f, 50.0f), minus_one}},
+          {"perspective, depths from 0", {view, glm::perspectiveRH_ZO(1.2f, kAspect, 0.05f, 50.0f), zero_to_one}},
+          {"reversed perspective", {view, glm::perspectiveRH_ZO(1.2f, kAspect, 50.0f, 0.05f), zero_to_one}},
+          {"reversed, infinitely far", {view, infinite_reversed, zero_to_one}},
+          {"infinitely far", {view, glm::infinitePerspective(1.2f, kAspect, 0.05f), minus_one}},
+          {"mirrored", {view, mirror * glm::perspectiveRH_NO(1.2f, kAspect, 0.05f, 50.0f), minus_one}},
+          {"lopsided", {view, glm::frustumRH_NO(-0.04f, 0.02f, -0.01f, 0.03f, 0.05f, 50.0f), minus_one}},
+          {"far plane in the room", {view, glm::perspectiveRH_NO(1.2f, kAspect, 2.0f, 5.0f), minus_one}},
+          {"orthographic", {view, glm::orthoRH_NO(-2.8f, 2.8f, -2.0f, 2.0f, 0.1f, 20.0f), minus_one}},
+          {"reversed orthographic", {view, glm::orthoRH_ZO(-2.8f, 2.8f, -2.0f, 2.0f, 20.0f, 0.1f), zero_to_one}}};
+}
+
+class Cameras : public OnSoftware {
+ protected:
+  // The masks of the last draw against the CPU's at the very same receivers.
+  static void expect_cpu_masks(OcclusionPass& pass, const Mesh& mesh, const SamplePattern& pattern,
+                               const DrawOptions& options) {
+    const OccluderBvh occluders(mesh.view());
+    const query::PatternLanes lanes(pattern);
+    const Sidedness sidedness = options.two_sided ? Sidedness::two_sided : Sidedness::one_sided;
+    const std::vector<PixelReceiver> receivers = pass.read_receivers();
+    const std::vector<std::uint64_t> masks = pass.read_masks();
+    const auto words = static_cast<std::size_t>(pattern.word_count());
+    std::uint64_t difference_count = 0, bit_count = 0, receiver_count = 0;
+    for (std::size_t i = 0; i < receivers.size(); ++i) {
+      OcclusionMask expected;
+      if (receivers[i].is_valid) {
+        ++receiver_count;
+        const ReceiverRays rays = rays_of(receivers[i], lanes, options.radius);
+        expected = cpu_mask(occluders, rays, options.radius, sidedness);
+      }
+      for (std::size_t word = 0; word < words; ++word) {
+        bit_count += static_cast<unsigned>(std::popcount(expected.words[word]));
+        difference_count += static_cast<unsigned>(std::popcount(expected.words[word] ^ masks[i * words + word]));
+      }
+    }
+    EXPECT_GT(receiver_count, receivers.size() / 3);
+    EXPECT_GT(bit_count, 2 * receiver_count);
+    EXPECT_LE(difference_count, receiver_count * static_cast<std::uint64_t>(pattern.ray_count()) / 10000);
+  }
+};
+
+TEST_F(Cameras, OfAllKindsGiveTheCpusMasks) {
+  const Mesh mesh = furnished_room();
+  const PlaneMaskTable table(SamplePattern::standard(64), {.resolution = 32});
+  OcclusionPass pass = make_pass(mesh, table);
+  for (const auto& [name, camera] : all_cameras()) {
+    const GBufferPass g_buffer(mesh, camera, kWidth, kHeight);
+    const auto receivers = g_buffer.receivers();
+    for (const bool two_sided : {true, false}) {
+      // Depths round so coarsely that receivers would lie before, in and behind their surfaces: they start farther off.
+      const DrawOptions options{.radius = 0.7f, .two_sided = two_sided, .surface_offset = 2000.0f};
+      for (const GBuffer& textures : {g_buffer.by_positions(), g_buffer.by_depth(), g_buffer.by_linear_depth()}) {
+        SCOPED_TRACE(name + (textures.depth != 0          ? ", by depth"
+                             : textures.linear_depth != 0 ? ", by linear depth"
+                                                          : ", by positions"));
+        pass.draw(textures, camera, options);
+        const std::vector<PixelReceiver> seen = pass.read_receivers();
+        std::size_t off_count = 0;
+        for (std::size_t i = 0; i < seen.size(); ++i) {
+          const bool shows_something = receivers[i].normal != glm::vec3(0);
+          off_count += seen[i].is_valid != shows_something ||
+                       (shows_something && glm::distance(seen[i].origin, receivers[i].position) > 2e-3f);
+        }
+        EXPECT_EQ(off_count, 0u);
+        expect_cpu_masks(pass, mesh, table.pattern(), options);
+      }
+    }
+  }
+}
+
+TEST_F(Cameras, MayStandInsideOfTheShapes) {
+  // The radius is larger than the room: the camera is inside of every prism and every sphere.
+  const Mesh mesh = furnished_room();
+  const Camera camera{glm::lookAt(glm::vec3(0.2f, 1.5f, 1.0f), glm::vec3(-1, 1, -3), glm::vec3(0, 1, 0)),
+                      glm::perspective(1.5f, kAspect, 0.5f, 50.0f), ClipDepth::minus_one_to_one};
+  const GBufferPass g_buffer(mesh, camera, kWidth, kHeight);
+  const PlaneMaskTable table(SamplePattern::standard(64), {.resolution = 32});
+  for (const GeometryBackEnd geometry : {GeometryBackEnd::vertex_pulling, GeometryBackEnd::geometry_shader}) {
+    OcclusionPass pass = make_pass(mesh, table, {.geometry = geometry});
+    for (const bool two_sided : {true, false}) {
+      const DrawOptions options{.radius = 9.0f, .two_sided = two_sided, .billboard_threshold = 100.0f};
+      pass.draw(g_buffer.by_positions(), camera, options);
+      expect_cpu_masks(pass, mesh, table.pattern(), options);
+    }
+  }
+}
+
+TEST_F(Cameras, MayBeFarFromTheOriginAndInAnyUnit) {
+  for (const float scale : {1e-3f, 1e3f}) {
+    Mesh mesh = furnished_room();
+    const glm::vec3 move(3.0f, -20.0f, 7.0f);
+    for (glm::vec3& position : mesh.positions) position = scale * (position + move);
+    const glm::vec3 eye = scale * (glm::vec3(0.3f, 1.9f, 3.4f) + move),
+                    target = scale * (glm::vec3(0, 1.3f, -1) + move);
+    const Camera camera{glm::lookAt(eye, target, glm::vec3(0, 1, 0)),
+                        glm::perspective(1.2f, kAspect, 0.05f * scale, 50.0f * scale), ClipDepth::minus_one_to_one};
+    const GBufferPass g_buffer(mesh, camera, kWidth, kHeight);
+    const PlaneMaskTable table(SamplePattern::standard(64), {.resolution = 32});
+    OcclusionPass pass = make_pass(mesh, table);
+    const DrawOptions options{.radius = 0.7f * scale};
+    pass.draw(g_buffer.by_positions(), camera, options);
+    expect_cpu_masks(pass, mesh, table.pattern(), options);
+  }
+}
+
+}  // namespace
+}  // namespace lkao::gl::tests

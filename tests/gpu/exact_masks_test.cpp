@@ -1,0 +1,189 @@
+// With a must/may table the pass gives the CPU's masks: at the same receivers, for all rays but those within rounding.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "gpu/on_software.h"
+#include "gpu/pass_scene.h"
+#include "gpu/rounding.h"
+
+namespace lkao::gl::tests {
+namespace {
+
+constexpr int kWidth = 192;
+constexpr int kHeight = 144;
+// Of the distances in play; float has 6e-8.
+constexpr double kRounding = 2e-6;
+constexpr double kLargestShare = 1e-4;
+
+class ExactMasks : public OnSoftware {
+ protected:
+  void SetUp() override {
+    OnSoftware::SetUp();
+    if (IsSkipped()) return;
+    mesh_ = furnished_room();
+    camera_ = room_camera(kWidth, kHeight);
+  }
+
+  // All differences from the CPU, each explained; returns how many.
+  void expect_close(const std::vector<std::uint64_t>& masks, const std::vector<Receiver>& receivers,
+                    const SamplePattern& pattern, const DrawOptions& options) {
+    const QueryOptions query = query_options(options);
+    const std::vector<std::uint64_t> expected = cpu_masks(mesh_, receivers, pattern, query);
+    const std::uint64_t difference_count = count_differences(masks, expected), bit_count = count_bits(expected);
+    ASSERT_GT(bit_count, masks.size() * 3) << "the scene has too little occlusion to tell anything";
+    EXPECT_LE(static_cast<double>(difference_count), kLargestShare * static_cast<double>(masks.size() * 64));
+    EXPECT_EQ(count_unexplained(masks, expected, receivers, pattern, query), 0u) << "of " << difference_count;
+    RecordProperty("differing_rays_" + std::to_string(record_count_++),
+                   std::to_string(difference_count) + " of " + std::to_string(masks.size() * 64));
+  }
+
+  std::uint64_t count_unexplained(const std::vector<std::uint64_t>& a, const std::vector<std::uint64_t>& b,
+                                  const std::vector<Receiver>& receivers, const SamplePattern& pattern,
+                                  const QueryOptions& options) {
+    const AmbientOcclusion ao(OccluderBvh(mesh_.view()), pattern, options);
+    const auto words = static_cast<std::size_t>(pattern.word_count());
+    std::uint64_t count = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+      if (a[i] == b[i]) continue;
+      const ReceiverRays rays = ao.rays(receivers[i / words], i / words);
+      for (std::uint64_t bits = a[i] ^ b[i]; bits != 0; bits &= bits - 1) {
+        const int ray = static_cast<int>(i % words) * 64 + std::countr_zero(bits);
+        count += !is_explained(rays.origin, rays.ray(ray));
+      }
+    }
+    return count;
+  }
+
+  bool is_explained(const glm::vec3& origin, const glm::vec3& ray) const {
+    return std::any_of(mesh_.triangles.begin(), mesh_.triangles.end(), [&](const glm::uvec3& t) {
+      return is_close_call(mesh_.positions[t.x], mesh_.positions[t.y], mesh_.positions[t.z], origin, ray, kRounding);
+    });
+  }
+
+  Mesh mesh_;
+  Camera camera_;
+  int record_count_ = 0;
+};
+
+TEST_F(ExactMasks, AreTheCpusInFloat) {
+  const GBufferPass g_buffer(mesh_, camera_, kWidth, kHeight);
+  const PlaneMaskTable table(SamplePattern::standard(128), {.resolution = 64});
+  OcclusionPass pass = make_pass(mesh_, table);
+  for (const bool two_sided : {true, false}) {
+    for (const float radius : {0.15f, 0.8f, 3.0f}) {
+      SCOPED_TRACE(testing::Message() << "two-sided " << two_sided << ", radius " << radius);
+      const DrawOptions options{.radius = radius, .two_sided = two_sided, .seed = 3};
+      pass.draw(g_buffer.by_positions(), camera_, options);
+      const std::vector<std::uint64_t> masks = pass.read_masks();
+      if (radius < 0.5f) {
+        // Too few rays are blocked for expect_close.
+        const auto expected = cpu_masks(mesh_, g_buffer.receivers(), table.pattern(), query_options(options));
+        EXPECT_LT(count_differences(masks, expected), 100u);
+        EXPECT_GT(count_bits(expected), 1000u);
+        continue;
+      }
+      expect_close(masks, g_buffer.receivers(), table.pattern(), options);
+    }
+  }
+}
+
+TEST_F(ExactMasks, AreTheCpusBitForBitInDouble) {
+  const GBufferPass g_buffer(mesh_, camera_, kWidth, kHeight);
+  for (const PlaneAddressing addressing : {PlaneAddressing::slices, PlaneAddressing::cube}) {
+    const PlaneMaskTable table(SamplePattern::standard(128), {.resolution = 48, .addressing = addressing});
+    OcclusionPass pass = make_pass(mesh_, table, {.precision = Precision::double_precision});
+    const DrawOptions options{.radius = 1.0f, .seed = 11};
+    pass.draw(g_buffer.by_positions(), camera_, options);
+    const auto expected = cpu_masks(mesh_, g_buffer.receivers(), table.pattern(), query_options(options));
+    // A frame may differ in its last bit, where two doubles round to float differently.
+    const std::uint64_t difference_count = count_differences(pass.read_masks(), expected);
+    EXPECT_LE(difference_count, 2u);
+    RecordProperty("differing_rays_in_double", std::to_string(difference_count));
+  }
+}
+
+TEST_F(ExactMasks, FollowFalloffTiltAndGeometricNormals) {
+  const GBufferPass g_buffer(mesh_, camera_, kWidth, kHeight);
+  std::vector<Receiver> receivers = g_buffer.receivers();
+  std::vector<glm::vec4> bumpy;
+  lut::RandomStream random(9);
+  for (Receiver& receiver : receivers) {
+    receiver.geometric_normal = receiver.normal;
+    const float length = glm::length(receiver.normal);
+    if (length > 0) receiver.normal += 0.9f * length * lkao::tests::random_direction(random);
+    bumpy.emplace_back(receiver.normal, 0.0f);
+  }
+  const Texture shading_normals = make_image(GL_RGBA32F, kWidth, kHeight, &bumpy[0].x);
+  GBuffer textures = g_buffer.by_positions();
+  textures.geometric_normals = textures.normals;
+  textures.normals = shading_normals.name();
+
+  const PlaneMaskTable table(SamplePattern::standard(128).with_falloff(Falloff::linear()), {.resolution = 64});
+  OcclusionPass pass = make_pass(mesh_, table);
+  const DrawOptions options{.radius = 2.5f, .rotation = 0.25f, .tilt = 0.1f, .seed = 0x123456789abcdefu};
+  pass.draw(textures, camera_, options);
+  expect_close(pass.read_masks(), receivers, table.pattern(), options);
+}
+
+TEST_F(ExactMasks, HaveFrom64To1024Rays) {
+  const int width = 64, height = 48;
+  const GBufferPass g_buffer(mesh_, camera_, width, height);
+  for (const int ray_count : {64, 192, 512, 1024}) {
+    SCOPED_TRACE(ray_count);
+    const PlaneMaskTable table(SamplePattern::standard(ray_count), {.resolution = 32});
+    for (const Accumulator accumulator : {Accumulator::logic_op, Accumulator::ssbo}) {
+      OcclusionPass pass = make_pass(mesh_, table, {.accumulator = accumulator});
+      const DrawOptions options{.radius = 1.0f};
+      pass.draw(g_buffer.by_positions(), camera_, options);
+      expect_close(pass.read_masks(), g_buffer.receivers(), table.pattern(), options);
+    }
+  }
+}
+
+TEST_F(ExactMasks, StandOnTrianglesThatOverlapByThousands) {
+  // All in one place, and all of them around the camera.
+  mesh_ = lkao::tests::random_soup(4000, 0.4f, 17);
+  for (glm::vec3& position : mesh_.positions) position = position * 0.5f + glm::vec3(0, 1.5f, 1.5f);
+  lkao::tests::add_quad(mesh_, {-3, 0, 3}, {6, 0, 0}, {0, 0, -6});
+  const int width = 48, height = 36;
+  const GBufferPass g_buffer(mesh_, camera_, width, height);
+  const PlaneMaskTable table(SamplePattern::standard(64), {.resolution = 32});
+  OcclusionPass pass = make_pass(mesh_, table, {.count_fragments = true});
+  const DrawOptions options{.radius = 0.5f};
+  pass.draw(g_buffer.by_positions(), camera_, options);
+  EXPECT_GT(pass.read_fragment_counts().masks, 50u * width * height);
+  expect_close(pass.read_masks(), g_buffer.receivers(), table.pattern(), options);
+}
+
+TEST_F(ExactMasks, IgnoreTrianglesThatBlockNothing) {
+  const GBufferPass g_buffer(mesh_, camera_, 64, 48);
+  const PlaneMaskTable table(SamplePattern::standard(64), {.resolution = 32});
+  OcclusionPass pass = make_pass(mesh_, table);
+  const DrawOptions options{.radius = 1.0f};
+  pass.draw(g_buffer.by_positions(), camera_, options);
+  const std::vector<std::uint64_t> expected = pass.read_masks();
+
+  Mesh with_bad = mesh_;
+  const auto first = static_cast<unsigned>(mesh_.positions.size());
+  const float nan = std::numeric_limits<float>::quiet_NaN(), infinity = std::numeric_limits<float>::infinity();
+  with_bad.positions.insert(
+      with_bad.positions.end(),
+      {{0, 1, 0}, {0, 1, 0}, {1, 1, 1}, {nan, 0, 0}, {0, infinity, 0}, {1e30f, 0, 0}, {-1, 1, -1}});
+  for (const glm::uvec3& t : {glm::uvec3(0, 1, 2), {0, 2, 3}, {0, 2, 4}, {0, 2, 5}, {0, 2, 6}}) {
+    with_bad.triangles.push_back(t + first);
+  }
+  pass.set_occluders(with_bad.positions, with_bad.triangles);
+  pass.draw(g_buffer.by_positions(), camera_, options);
+  EXPECT_EQ(pass.read_masks(), expected);
+}
+
+}  // namespace
+}  // namespace lkao::gl::tests

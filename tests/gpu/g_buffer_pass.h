@@ -1,0 +1,41 @@
+// A G-buffer as a renderer makes it: the mesh drawn with a depth test into depth, positions and normals.
+#pragma once
+
+#include <vector>
+
+#include "gpu/gl_objects.h"
+#include "lkao/ambient_occlusion.h"
+#include "lkao/gl.h"
+#include "support/meshes.h"
+
+namespace lkao::gl::tests {
+
+using lkao::tests::Mesh;
+
+class GBufferPass {
+ public:
+  // Normals are those of the triangles, turned towards the camera.
+  GBufferPass(const Mesh& mesh, const Camera& camera, int width, int height);
+
+  // With one texture each to tell positions.
+  GBuffer by_positions() const;
+  GBuffer by_depth() const;
+  GBuffer by_linear_depth() const;
+
+  int width() const { return width_; }
+  int height() const { return height_; }
+  GLuint normals() const { return normals_.name(); }
+  GLuint depth() const { return depth_.name(); }
+  // The pixels as receivers of the CPU's query; those that show nothing have no normal.
+  std::vector<Receiver> receivers() const;
+
+ private:
+  int width_, height_;
+  Texture depth_, linear_depth_, positions_, normals_;
+};
+
+// A texture of the given format, with pixels of RGBA floats, filters as OpenGL has them by default.
+Texture make_image(GLenum format, int width, int height, const float* rgba = nullptr);
+std::vector<glm::vec4> read_image(GLuint texture, int width, int height);
+
+}  // namespace lkao::gl::tests

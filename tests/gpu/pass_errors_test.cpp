@@ -1,0 +1,172 @@
+// Mistakes come back as exceptions that name them, in one line.
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "gpu/on_software.h"
+#include "gpu/pass_scene.h"
+#include "gpu/program.h"
+
+namespace lkao::gl::tests {
+namespace {
+
+constexpr int kSize = 16;
+
+class PassErrors : public OnSoftware {
+ protected:
+  void SetUp() override {
+    OnSoftware::SetUp();
+    if (IsSkipped()) return;
+    positions_ = make_image(GL_RGBA32F, kSize, kSize);
+    normals_ = make_image(GL_RGBA16F, kSize, kSize);
+  }
+  void TearDown() override {
+    positions_.reset();
+    normals_.reset();
+  }
+
+  GBuffer g_buffer() const {
+    return {.width = kSize, .height = kSize, .positions = positions_.name(), .normals = normals_.name()};
+  }
+
+  template <typename Error>
+  static void expect_error(const std::string& named, const std::function<void()>& mistake) {
+    try {
+      mistake();
+      ADD_FAILURE() << "no exception about " << named;
+    } catch (const Error& error) {
+      const std::string line = error.what();
+      EXPECT_NE(line.find(named), std::string::npos) << line;
+      EXPECT_EQ(line.find('\n'), std::string::npos) << line;
+    }
+  }
+
+  static OcclusionPass ready_pass() {
+    return make_pass(furnished_room(), PlaneMaskTable(SamplePattern::standard(64), {32, {}, PlaneMasks::nearest}));
+  }
+
+  Texture positions_, normals_;
+};
+
+TEST_F(PassErrors, NameTheMissingContext) {
+  context_->release();
+  expect_error<std::runtime_error>("no OpenGL context", [] { const OcclusionPass pass; });
+  context_->make_current();
+  OcclusionPass pass = ready_pass();
+  context_->release();
+  expect_error<std::runtime_error>("no OpenGL context", [&] { pass.update_positions({}); });
+  expect_error<std::runtime_error>("no OpenGL context", [&] { pass.read_masks(); });
+  context_->make_current();
+  {
+    const OcclusionPass outlives_its_context = ready_pass();
+    context_->release();
+  }
+  context_->make_current();
+}
+
+TEST_F(PassErrors, NameTheStepThatIsMissing) {
+  const Camera camera = room_camera(kSize, kSize);
+  OcclusionPass pass;
+  expect_error<std::runtime_error>("set_table", [&] { pass.draw(g_buffer(), camera, {.radius = 1.0f}); });
+  expect_error<std::runtime_error>("draw()", [&] { pass.resolve({}); });
+  expect_error<std::runtime_error>("draw()", [&] { pass.read_masks(); });
+  expect_error<std::runtime_error>("draw()", [&] { pass.read_receivers(); });
+  expect_error<std::runtime_error>("draw()", [&] { pass.read_fragment_counts(); });
+  expect_error<std::runtime_error>("draw()", [&] { (void)pass.masks_texture(); });
+}
+
+TEST_F(PassErrors, NameTheOptionOutOfRange) {
+  OcclusionPass pass = ready_pass();
+  const Camera camera = room_camera(kSize, kSize);
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  const std::pair<const char*, DrawOptions> mistakes[] = {
+      {"radius", {}},
+      {"radius", {.radius = -1.0f}},
+      {"radius", {.radius = nan}},
+      {"radius", {.radius = 1e19f}},
+      {"rotation", {.radius = 1.0f, .rotation = 1.5f}},
+      {"tilt", {.radius = 1.0f, .tilt = nan}},
+      {"surface_offset", {.radius = 1.0f, .surface_offset = -1.0f}},
+      {"billboard_threshold", {.radius = 1.0f, .billboard_threshold = nan}}};
+  for (const auto& [name, options] : mistakes) {
+    expect_error<std::invalid_argument>(name, [&, &bad = options] { pass.draw(g_buffer(), camera, bad); });
+  }
+}
+
+TEST_F(PassErrors, NameTheTextureAndItsFault) {
+  OcclusionPass pass = ready_pass();
+  const Camera camera = room_camera(kSize, kSize);
+  const Texture integers = make_image(GL_RGBA32UI, kSize, kSize), small = make_image(GL_RGBA32F, kSize, kSize - 1);
+  const Texture red = make_image(GL_R32F, kSize, kSize), depth = make_image(GL_DEPTH_COMPONENT24, kSize, kSize);
+  Texture array = make_texture(GL_TEXTURE_2D_ARRAY);
+  glTextureStorage3D(array.name(), 1, GL_RGBA32F, kSize, kSize, 1);
+  const auto expect = [&](const char* name, const GBuffer& textures) {
+    expect_error<std::invalid_argument>(name, [&] { pass.draw(textures, camera, {.radius = 1.0f}); });
+  };
+  GBuffer bad = g_buffer();
+  bad.width = 0;
+  expect("size", bad);
+  bad = g_buffer();
+  bad.depth = depth.name();
+  expect("exactly one", bad);
+  bad.depth = bad.positions = 0;
+  expect("exactly one", bad);
+  for (const GLuint texture : {small.name(), array.name(), red.name(), integers.name(), 12345u}) {
+    bad = g_buffer();
+    bad.positions = texture;
+    expect("positions", bad);
+    bad = g_buffer();
+    bad.geometric_normals = texture;
+    expect("geometric_normals", bad);
+  }
+  bad = g_buffer();
+  bad.normals = 0;
+  expect("normals", bad);
+
+  pass.draw(g_buffer(), camera, {.radius = 1.0f});
+  expect_error<std::invalid_argument>("occlusion", [&] { pass.resolve({.occlusion = small.name()}); });
+  expect_error<std::invalid_argument>("GL_R8", [&] { pass.resolve({.occlusion = integers.name()}); });
+  expect_error<std::invalid_argument>("bent_normals", [&] { pass.resolve({.bent_normals = red.name()}); });
+  EXPECT_NO_THROW(pass.resolve({.occlusion = red.name()}));
+}
+
+TEST_F(PassErrors, NameTheCamerasFault) {
+  OcclusionPass pass = ready_pass();
+  const Camera good = room_camera(kSize, kSize);
+  const auto expect = [&](const char* name, const Camera& camera) {
+    expect_error<std::invalid_argument>(name, [&] { pass.draw(g_buffer(), camera, {.radius = 1.0f}); });
+  };
+  expect("view", {glm::scale(good.view, glm::vec3(2)), good.projection});
+  expect("view", {good.projection, good.projection});
+  expect("projection", {good.view, glm::mat4(0)});
+  expect("projection", {good.view, glm::perspectiveLH(1.0f, 1.0f, 0.1f, 10.0f)});
+}
+
+TEST_F(PassErrors, NameWhatIsWrongWithTheMesh) {
+  OcclusionPass pass = ready_pass();
+  const glm::vec3 positions[] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  const glm::uvec3 triangles[] = {{0, 1, 2}, {0, 3, 1}};
+  expect_error<std::invalid_argument>("triangle 1", [&] { pass.set_occluders(positions, triangles); });
+  expect_error<std::invalid_argument>("positions", [&] { pass.update_positions(positions); });
+}
+
+TEST_F(PassErrors, NameAnErrorOfSomebodyElse) {
+  OcclusionPass pass = ready_pass();
+  glEnable(GL_TEXTURE_2D_ARRAY);
+  expect_error<std::runtime_error>("GL_INVALID_ENUM", [&] { pass.update_positions({}); });
+  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
+}
+
+TEST_F(PassErrors, GiveTheDriversFirstLine) {
+  expect_error<std::runtime_error>("refuses the shader broken", [] {
+    make_program_of(GL_COMPUTE_SHADER, "broken", "#version 450 core\nvoid main() { x }\n");
+  });
+}
+
+}  // namespace
+}  // namespace lkao::gl::tests

@@ -1,0 +1,35 @@
+// What most tests of the pass look at, and the comparison with the CPU.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "gpu/g_buffer_pass.h"
+#include "lkao/ambient_occlusion.h"
+#include "lkao/gl.h"
+#include "support/meshes.h"
+
+namespace lkao::gl::tests {
+
+// A room, seen from within: large quads, a ball of small triangles, a few hundred triangles of all sizes in the air.
+Mesh furnished_room();
+Camera room_camera(int width, int height);
+
+// The options of the CPU's query that mean the same.
+QueryOptions query_options(const DrawOptions& options);
+
+// All pixels' masks as the CPU finds them, SamplePattern::word_count() words each.
+std::vector<std::uint64_t> cpu_masks(const Mesh& mesh, const std::vector<Receiver>& receivers,
+                                     const SamplePattern& pattern, const QueryOptions& options);
+
+// In how many rays two sets of masks differ.
+std::uint64_t count_differences(const std::vector<std::uint64_t>& a, const std::vector<std::uint64_t>& b);
+std::uint64_t count_bits(const std::vector<std::uint64_t>& masks);
+// The share of pixels whose masks are the same in all bits.
+double share_of_equal_pixels(const std::vector<std::uint64_t>& a, const std::vector<std::uint64_t>& b, int word_count);
+
+// A pass with mesh and table, ready to draw.
+OcclusionPass make_pass(const Mesh& mesh, const PlaneMaskTable& table, const PassSetup& setup = {});
+
+}  // namespace lkao::gl::tests

@@ -1,0 +1,246 @@
+// A pass leaves OpenGL as it found it, and works whatever it finds.
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <initializer_list>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "gpu/on_software.h"
+#include "gpu/pass_scene.h"
+#include "gpu/program.h"
+
+namespace lkao::gl::tests {
+namespace {
+
+constexpr int kWidth = 48;
+constexpr int kHeight = 36;
+
+using Enums = std::initializer_list<GLenum>;
+// All that a renderer may have set, by name.
+using Snapshot = std::map<std::string, std::vector<double>>;
+
+#define LKAO_ENTRY(NAME) \
+  { #NAME, NAME }
+struct Entry {
+  const char* name;
+  GLenum value;
+};
+
+constexpr Entry kValues[] = {LKAO_ENTRY(GL_CURRENT_PROGRAM),
+                             LKAO_ENTRY(GL_VERTEX_ARRAY_BINDING),
+                             LKAO_ENTRY(GL_DRAW_FRAMEBUFFER_BINDING),
+                             LKAO_ENTRY(GL_READ_FRAMEBUFFER_BINDING),
+                             LKAO_ENTRY(GL_ACTIVE_TEXTURE),
+                             LKAO_ENTRY(GL_UNIFORM_BUFFER_BINDING),
+                             LKAO_ENTRY(GL_SHADER_STORAGE_BUFFER_BINDING),
+                             LKAO_ENTRY(GL_ATOMIC_COUNTER_BUFFER_BINDING),
+                             LKAO_ENTRY(GL_DRAW_INDIRECT_BUFFER_BINDING),
+                             LKAO_ENTRY(GL_ARRAY_BUFFER_BINDING),
+                             LKAO_ENTRY(GL_PIXEL_PACK_BUFFER_BINDING),
+                             LKAO_ENTRY(GL_PIXEL_UNPACK_BUFFER_BINDING),
+                             LKAO_ENTRY(GL_PACK_ALIGNMENT),
+                             LKAO_ENTRY(GL_PACK_ROW_LENGTH),
+                             LKAO_ENTRY(GL_PACK_SKIP_ROWS),
+                             LKAO_ENTRY(GL_UNPACK_ALIGNMENT),
+                             LKAO_ENTRY(GL_UNPACK_ROW_LENGTH),
+                             LKAO_ENTRY(GL_UNPACK_SKIP_PIXELS),
+                             LKAO_ENTRY(GL_UNPACK_IMAGE_HEIGHT),
+                             LKAO_ENTRY(GL_VIEWPORT),
+                             LKAO_ENTRY(GL_DEPTH_RANGE),
+                             LKAO_ENTRY(GL_SCISSOR_BOX),
+                             LKAO_ENTRY(GL_DEPTH_FUNC),
+                             LKAO_ENTRY(GL_DEPTH_WRITEMASK),
+                             LKAO_ENTRY(GL_CULL_FACE_MODE),
+                             LKAO_ENTRY(GL_FRONT_FACE),
+                             LKAO_ENTRY(GL_LOGIC_OP_MODE),
+                             LKAO_ENTRY(GL_CLIP_ORIGIN),
+                             LKAO_ENTRY(GL_CLIP_DEPTH_MODE),
+                             LKAO_ENTRY(GL_POLYGON_MODE),
+                             LKAO_ENTRY(GL_COLOR_CLEAR_VALUE),
+                             LKAO_ENTRY(GL_DEPTH_CLEAR_VALUE),
+                             LKAO_ENTRY(GL_STENCIL_FUNC),
+                             LKAO_ENTRY(GL_BLEND_SRC_RGB),
+                             LKAO_ENTRY(GL_POLYGON_OFFSET_FACTOR)};
+
+constexpr Entry kCapabilities[] = {
+    LKAO_ENTRY(GL_DEPTH_TEST),         LKAO_ENTRY(GL_STENCIL_TEST),   LKAO_ENTRY(GL_CULL_FACE),
+    LKAO_ENTRY(GL_DEPTH_CLAMP),        LKAO_ENTRY(GL_COLOR_LOGIC_OP), LKAO_ENTRY(GL_POLYGON_OFFSET_FILL),
+    LKAO_ENTRY(GL_RASTERIZER_DISCARD), LKAO_ENTRY(GL_SAMPLE_MASK),    LKAO_ENTRY(GL_SAMPLE_COVERAGE),
+    LKAO_ENTRY(GL_PRIMITIVE_RESTART),  LKAO_ENTRY(GL_SCISSOR_TEST),   LKAO_ENTRY(GL_BLEND),
+    LKAO_ENTRY(GL_CLIP_DISTANCE0),     LKAO_ENTRY(GL_CLIP_DISTANCE5), LKAO_ENTRY(GL_FRAMEBUFFER_SRGB),
+    LKAO_ENTRY(GL_MULTISAMPLE),        LKAO_ENTRY(GL_POLYGON_SMOOTH), LKAO_ENTRY(GL_PRIMITIVE_RESTART_FIXED_INDEX)};
+
+Snapshot take_snapshot() {
+  Snapshot snapshot;
+  for (const Entry& entry : kValues) {
+    std::vector<double> values(4, 0.0);
+    glGetDoublev(entry.value, values.data());
+    snapshot[entry.name] = values;
+  }
+  for (const Entry& entry : kCapabilities) snapshot[entry.name] = {static_cast<double>(glIsEnabled(entry.value))};
+  GLint active = 0;
+  glGetIntegerv(GL_ACTIVE_TEXTURE, &active);
+  for (int unit = 0; unit < 16; ++unit) {
+    glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+    std::vector<double>& values = snapshot["texture unit " + std::to_string(unit)];
+    for (const GLenum binding : Enums{GL_TEXTURE_BINDING_2D, GL_TEXTURE_BINDING_2D_ARRAY, GL_TEXTURE_BINDING_BUFFER,
+                                      GL_TEXTURE_BINDING_3D, GL_SAMPLER_BINDING}) {
+      GLint name = 0;
+      glGetIntegerv(binding, &name);
+      values.push_back(name);
+    }
+  }
+  glActiveTexture(static_cast<GLenum>(active));
+  for (GLuint i = 0; i < 8; ++i) {
+    std::vector<double>& values = snapshot["indexed state " + std::to_string(i)];
+    for (const GLenum binding :
+         Enums{GL_SHADER_STORAGE_BUFFER_BINDING, GL_UNIFORM_BUFFER_BINDING, GL_IMAGE_BINDING_NAME,
+               GL_IMAGE_BINDING_FORMAT, GL_IMAGE_BINDING_LAYERED, GL_IMAGE_BINDING_ACCESS}) {
+      GLint value = 0;
+      glGetIntegeri_v(binding, i, &value);
+      values.push_back(value);
+    }
+    for (const GLenum size :
+         Enums{GL_SHADER_STORAGE_BUFFER_START, GL_SHADER_STORAGE_BUFFER_SIZE, GL_UNIFORM_BUFFER_SIZE}) {
+      GLint64 value = 0;
+      glGetInteger64i_v(size, i, &value);
+      values.push_back(static_cast<double>(value));
+    }
+    GLboolean mask[4] = {};
+    glGetBooleani_v(GL_COLOR_WRITEMASK, i, mask);
+    values.insert(values.end(), mask, mask + 4);
+  }
+  return snapshot;
+}
+
+// The unlikely: everything set in a way that would spoil a pass that relies on it.
+class OddState {
+ public:
+  OddState()
+      : buffer_(make_buffer(1 << 16, nullptr, 0)),
+        texture_(make_image(GL_RGBA8, 4, 4)),
+        array_(make_texture(GL_TEXTURE_2D_ARRAY)),
+        view_(make_buffer_texture(GL_R32F, buffer_)),
+        framebuffer_(make_framebuffer()),
+        vertex_array_(make_vertex_array()),
+        program_(make_program({"screen.vert", "fill.frag"})) {
+    glTextureStorage3D(array_.name(), 1, GL_RGBA8, 4, 4, 2);
+    GLuint sampler = 0;
+    glCreateSamplers(1, &sampler);
+    sampler_ = Sampler(sampler);
+    glSamplerParameteri(sampler, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
+    bind();
+    set_pipeline();
+  }
+  ~OddState() {
+    // The next test gets the context's defaults: it has a context of its own.
+    glUseProgram(0);
+  }
+
+ private:
+  void bind() const {
+    for (GLuint unit = 0; unit < 16; ++unit) {
+      glBindTextureUnit(unit, texture_.name());
+      glBindTextureUnit(unit, array_.name());
+      glBindTextureUnit(unit, view_.name());
+      glBindSampler(unit, sampler_.name());
+    }
+    for (GLuint i = 0; i < 8; ++i) {
+      glBindBufferRange(GL_SHADER_STORAGE_BUFFER, i, buffer_.name(), 256 * i, 512);
+      glBindBufferBase(GL_UNIFORM_BUFFER, i, buffer_.name());
+      glBindImageTexture(i, array_.name(), 0, GL_TRUE, 0, GL_READ_ONLY, GL_RGBA8);
+    }
+    for (const GLenum target : Enums{GL_ARRAY_BUFFER, GL_DRAW_INDIRECT_BUFFER, GL_PIXEL_PACK_BUFFER,
+                                     GL_PIXEL_UNPACK_BUFFER, GL_ATOMIC_COUNTER_BUFFER}) {
+      glBindBuffer(target, buffer_.name());
+    }
+    glActiveTexture(GL_TEXTURE7);
+    glUseProgram(program_.name());
+    glBindVertexArray(vertex_array_.name());
+    glNamedFramebufferTexture(framebuffer_.name(), GL_COLOR_ATTACHMENT0, texture_.name(), 0);
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer_.name());
+  }
+  static void set_pipeline() {
+    for (const Entry& entry : kCapabilities) glEnable(entry.value);
+    glStencilFunc(GL_NEVER, 1, 0xff);
+    glSampleMaski(0, 0);
+    glSampleCoverage(0.0f, GL_FALSE);
+    glPrimitiveRestartIndex(7);
+    glScissor(1, 2, 3, 4);
+    glViewport(5, 6, 7, 8);
+    glDepthRange(0.75, 0.25);
+    glDepthFunc(GL_NEVER);
+    glDepthMask(GL_FALSE);
+    glCullFace(GL_FRONT_AND_BACK);
+    glFrontFace(GL_CW);
+    glLogicOp(GL_NAND);
+    glClipControl(GL_UPPER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
+    glPolygonMode(GL_FRONT_AND_BACK, GL_POINT);
+    glPolygonOffset(3, 4);
+    glColorMask(GL_FALSE, GL_TRUE, GL_FALSE, GL_TRUE);
+    for (const GLenum name : Enums{GL_PACK_ROW_LENGTH, GL_UNPACK_ROW_LENGTH, GL_UNPACK_IMAGE_HEIGHT})
+      glPixelStorei(name, 5);
+    for (const GLenum name : Enums{GL_PACK_SKIP_ROWS, GL_UNPACK_SKIP_PIXELS}) glPixelStorei(name, 3);
+    for (const GLenum name : Enums{GL_PACK_ALIGNMENT, GL_UNPACK_ALIGNMENT}) glPixelStorei(name, 8);
+  }
+
+  Buffer buffer_;
+  Texture texture_, array_, view_;
+  Sampler sampler_;
+  Framebuffer framebuffer_;
+  VertexArray vertex_array_;
+  ProgramObject program_;
+};
+
+class PassState : public OnSoftware {};
+
+TEST_F(PassState, IsPutBackAndDoesNotMatter) {
+  const Mesh mesh = furnished_room();
+  const Camera camera = room_camera(kWidth, kHeight);
+  const GBufferPass g_buffer(mesh, camera, kWidth, kHeight);
+  const PlaneMaskTable table(SamplePattern::standard(192), {.resolution = 32});
+  const Texture occlusion = make_image(GL_R32F, kWidth, kHeight), bent = make_image(GL_RGBA16F, kWidth, kHeight);
+  const DrawOptions options{.radius = 1.0f, .tilt = 0.02f};
+  const PassSetup setups[] = {
+      {.accumulator = Accumulator::logic_op, .count_fragments = true},
+      {.geometry = GeometryBackEnd::geometry_shader, .accumulator = Accumulator::ssbo, .count_fragments = true}};
+
+  std::vector<std::vector<std::uint64_t>> expected;
+  for (const PassSetup& setup : setups) {
+    OcclusionPass pass = make_pass(mesh, table, setup);
+    pass.draw(g_buffer.by_depth(), camera, options);
+    pass.resolve({.occlusion = occlusion.name(), .bent_normals = bent.name()});
+    expected.push_back(pass.read_masks());
+    EXPECT_GT(count_bits(expected.back()), 10000u);
+  }
+
+  std::vector<std::vector<std::uint64_t>> masks;
+  const OddState odd;
+  const Snapshot before = take_snapshot();
+  ASSERT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
+  for (const PassSetup& setup : setups) {
+    OcclusionPass pass(setup);
+    EXPECT_EQ(take_snapshot(), before) << "after the self-test";
+    pass.set_occluders(mesh.positions, mesh.triangles);
+    pass.set_table(table);
+    EXPECT_EQ(take_snapshot(), before) << "after set_table";
+    pass.update_positions(mesh.positions);
+    pass.draw(g_buffer.by_depth(), camera, options);
+    EXPECT_EQ(take_snapshot(), before) << "after draw";
+    pass.resolve({.occlusion = occlusion.name(), .bent_normals = bent.name()});
+    EXPECT_EQ(take_snapshot(), before) << "after resolve";
+    masks.push_back(pass.read_masks());
+    pass.read_receivers();
+    pass.read_fragment_counts();
+    EXPECT_EQ(take_snapshot(), before) << "after reading";
+    EXPECT_THROW(pass.draw(g_buffer.by_depth(), {camera.view, glm::mat4(0)}, options), std::invalid_argument);
+    EXPECT_EQ(take_snapshot(), before) << "after an exception";
+  }
+  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
+  EXPECT_EQ(masks, expected);
+}
+
+}  // namespace
+}  // namespace lkao::gl::tests

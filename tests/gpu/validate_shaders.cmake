@@ -1,0 +1,51 @@
+# cmake -DVALIDATOR=<glslangValidator> -DSHADERS=<folder of shaders without #include> -P validate_shaders.cmake
+#
+# Lets the reference compiler judge every program that a pass makes, in all variants, without any driver.
+
+cmake_minimum_required(VERSION 3.25)
+
+if(NOT VALIDATOR)
+  message("Shaders.PassGlslangValidator: Skipped\nneeds the program glslangValidator: install glslang-tools")
+  return()
+endif()
+
+set(program_count 0)
+
+# validate(NAME ... DEFINES -DX=1 ...): links the shaders of these names.
+function(validate)
+  cmake_parse_arguments(PARSE_ARGV 0 program "" "" "NAMES;DEFINES")
+  set(files "")
+  foreach(name IN LISTS program_NAMES)
+    list(APPEND files "${SHADERS}/${name}.glsl")
+  endforeach()
+  execute_process(COMMAND "${VALIDATOR}" -l ${program_DEFINES} ${files} RESULT_VARIABLE status OUTPUT_VARIABLE output)
+  if(NOT status EQUAL 0 OR output MATCHES "ERROR|WARNING")
+    message(FATAL_ERROR "${program_NAMES} ${program_DEFINES}:\n${output}")
+  endif()
+  math(EXPR program_count "${program_count} + 1")
+  set(program_count ${program_count} PARENT_SCOPE)
+endfunction()
+
+foreach(name IN ITEMS classify.comp receivers.comp cast.comp resolve.comp)
+  validate(NAMES ${name})
+endforeach()
+validate(NAMES screen.vert depth.frag)
+validate(NAMES screen.vert fill.frag)
+
+foreach(shape IN ITEMS "prism.vert" "billboard.vert" "point.vert;prism.geom" "point.vert;billboard.geom")
+  validate(NAMES ${shape} coverage.frag)
+  foreach(layers IN ITEMS 1 8)
+    foreach(variant IN ITEMS "0;0;0;0;0" "0;1;1;1;1" "1;0;0;1;0" "1;1;0;0;1" "1;0;1;0;0" "0;0;1;1;0")
+      list(GET variant 0 must_may)
+      list(GET variant 1 cube)
+      list(GET variant 2 double)
+      list(GET variant 3 atomics)
+      list(GET variant 4 count)
+      validate(NAMES ${shape} accumulate.frag
+               DEFINES -DLKAO_LAYERS=${layers} -DLKAO_MUST_MAY=${must_may} -DLKAO_CUBE_ADDRESSING=${cube}
+                       -DLKAO_DOUBLE=${double} -DLKAO_ATOMICS=${atomics} -DLKAO_COUNT=${count})
+    endforeach()
+  endforeach()
+endforeach()
+
+message(STATUS "${program_count} programs are valid")
