@@ -14,5 +14,7 @@ struct Command {
 
 // Ray casting against Embree.
 Command add_rays_command(CLI::App& program);
+// Builds against Embree.
+Command add_build_command(CLI::App& program);
 
 }  // namespace lkao::bench

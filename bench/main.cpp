@@ -15,7 +15,7 @@ namespace {
 int run(int argc, char** argv) {
   CLI::App program("Speed of lkao, against Embree on the same rays.", "lkao-bench");
   program.require_subcommand(1);
-  const std::vector<Command> commands = {add_rays_command(program)};
+  const std::vector<Command> commands = {add_rays_command(program), add_build_command(program)};
   try {
     program.parse(argc, argv);
   } catch (const CLI::Success& request) {  // --help

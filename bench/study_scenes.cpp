@@ -31,12 +31,15 @@ StudyScene load_builtin(const std::string& name, const StudySceneOptions& option
   return look_at(name, scene::make_builtin(name), builtin.camera, {builtin.radii.small, builtin.radii.large}, options);
 }
 
-StudyScene load_view(const json& view, const StudySceneOptions& options) {
+scene::Mesh load_mesh(const json& view, const StudySceneOptions& options) {
   const std::filesystem::path folder = std::filesystem::path(options.views).parent_path();
+  return scene::load((folder / view.at("file").get<std::string>()).string());
+}
+
+StudyScene load_view(const json& view, const StudySceneOptions& options) {
   const scene::Camera camera{vector_of(view.at("eye")), vector_of(view.at("target")), vector_of(view.at("up")),
                              view.at("fov")};
-  return look_at(view.at("name"), scene::load((folder / view.at("file").get<std::string>()).string()), camera,
-                 view.at("radii"), options);
+  return look_at(view.at("name"), load_mesh(view, options), camera, view.at("radii"), options);
 }
 
 // Calls `read` with the list of scenes in the file.
@@ -68,12 +71,15 @@ std::vector<std::string> chosen_names(const json& views, const StudySceneOptions
   return options.names.empty() ? known : options.names;
 }
 
+const json& view_of(const std::string& name, const json& views) {
+  return *std::find_if(views.begin(), views.end(), [&](const json& view) { return view.at("name") == name; });
+}
+
 std::vector<StudyScene> load_views(const StudySceneOptions& options) {
   return read_views(options.views, [&](const json& views) {
     std::vector<StudyScene> scenes;
     for (const std::string& name : chosen_names(views, options)) {
-      const auto view = std::find_if(views.begin(), views.end(), [&](const json& v) { return v.at("name") == name; });
-      scenes.push_back(load_view(*view, options));
+      scenes.push_back(load_view(view_of(name, views), options));
     }
     return scenes;
   });
@@ -88,6 +94,11 @@ std::vector<std::string> study_scene_names(const StudySceneOptions& options) {
   if (options.names.empty()) return {"atrium", "city"};
   for (const std::string& name : options.names) scene::builtin_scene(name);  // throws where there is none
   return options.names;
+}
+
+scene::Mesh load_study_mesh(const std::string& name, const StudySceneOptions& options) {
+  if (options.views.empty()) return scene::make_builtin(name);
+  return read_views(options.views, [&](const json& views) { return load_mesh(view_of(name, views), options); });
 }
 
 std::vector<StudyScene> load_study_scenes(const StudySceneOptions& options) {

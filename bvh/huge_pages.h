@@ -35,6 +35,12 @@ class HugePageAllocator {
 #endif
     return static_cast<T*>(memory);
   }
+  // Makes elements without a value, so that a vector resizes without touching its memory: who fills it, and on which
+  // threads, is for others to say.
+  template <typename U>
+  void construct(U* element) {
+    ::new (static_cast<void*>(element)) U;
+  }
   void deallocate(T* memory, std::size_t) { std::free(memory); }
 
   friend bool operator==(const HugePageAllocator&, const HugePageAllocator&) { return true; }

@@ -1,0 +1,149 @@
+// lkao-bench build: hierarchies of lkao and scenes of Embree over the same meshes, their time and their memory.
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdio>
+#include <fstream>
+#include <map>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <fmt/format.h>
+#include <tbb/global_control.h>
+#include <tbb/task_arena.h>
+
+#include "build_cost.h"
+#include "build_report.h"
+#include "commands.h"
+#include "scene/builtin.h"
+#include "study_scenes.h"
+
+namespace lkao::bench {
+namespace {
+
+struct Options {
+  StudySceneOptions scenes;
+  std::vector<std::size_t> hairballs;
+  std::vector<int> thread_counts;
+  std::vector<BuildMethod> methods = {kBuildMethods.begin(), kBuildMethods.end()};
+  int round_count = 5;
+  std::string csv;
+};
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+// Round after round, so that a slow moment of the machine meets all methods.
+std::vector<BuildResult> measure(const TriangleMesh& mesh, int thread_count, const Options& options) {
+  const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
+                                    static_cast<std::size_t>(thread_count));
+  std::vector<std::vector<double>> seconds(options.methods.size());
+  std::vector<BuildCost> costs(options.methods.size());
+  tbb::task_arena(thread_count).execute([&] {
+    for (int round = 0; round < options.round_count; ++round) {
+      for (std::size_t i = 0; i < costs.size(); ++i) {
+        costs[i] = build_once(options.methods[i], mesh);
+        seconds[i].push_back(costs[i].seconds);
+      }
+    }
+  });
+  const auto per_triangle = [&](std::size_t bytes) {
+    return static_cast<double>(bytes) / static_cast<double>(std::max<std::size_t>(mesh.triangles.size(), 1));
+  };
+  std::vector<BuildResult> results;
+  for (std::size_t i = 0; i < costs.size(); ++i) {
+    results.push_back({options.methods[i], median(seconds[i]), per_triangle(costs[i].memory_bytes),
+                       per_triangle(costs[i].mesh_bytes)});
+  }
+  return results;
+}
+
+// Fails before hours of measuring, not after.
+std::ofstream open_csv(const std::string& path) {
+  std::ofstream file;
+  if (path.empty()) return file;
+  file.open(path);
+  if (!(file << build_csv_heading())) throw std::runtime_error(path + ": cannot be written");
+  return file;
+}
+
+std::string peak_memory() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return fmt::format("Peak memory of this process, with the mesh: {} MiB\n", usage.ru_maxrss / 1024);
+}
+
+class Comparison {
+ public:
+  explicit Comparison(const Options& options) : options_(options), csv_(open_csv(options.csv)) {}
+
+  void run() {
+    std::vector<std::string> names;
+    if (options_.hairballs.empty() || !options_.scenes.names.empty()) names = study_scene_names(options_.scenes);
+    fmt::print("{}", build_table_heading());
+    for (const std::string& name : names) measure_mesh(name, load_study_mesh(name, options_.scenes));
+    for (const std::size_t count : options_.hairballs) measure_mesh("hairball", scene::make_hairball(count));
+    fmt::print("\n{}{}", build_summary(cells_), peak_memory());
+  }
+
+ private:
+  void measure_mesh(const std::string& name, const scene::Mesh& mesh) {
+    for (const int thread_count : options_.thread_counts) {
+      BuildCell cell{name, mesh.triangles.size(), thread_count, measure(mesh.view(), thread_count, options_)};
+      fmt::print("{}", build_table_row(cell));
+      std::fflush(stdout);
+      if (csv_.is_open() && !(csv_ << build_csv_rows(cell) << std::flush)) {
+        throw std::runtime_error(options_.csv + ": cannot be written");
+      }
+      cells_.push_back(std::move(cell));
+    }
+  }
+
+  Options options_;
+  std::ofstream csv_;
+  std::vector<BuildCell> cells_;
+};
+
+// One, and all that there are.
+std::vector<int> default_thread_counts() {
+  const int all = static_cast<int>(std::max(std::thread::hardware_concurrency(), 1u));
+  return all > 1 ? std::vector{1, all} : std::vector{1};
+}
+
+}  // namespace
+
+Command add_build_command(CLI::App& program) {
+  auto options = std::make_shared<Options>();
+  options->thread_counts = default_thread_counts();
+  CLI::App* app = program.add_subcommand("build", "Time and memory of hierarchies, lkao against Embree's scenes.");
+  app->add_option("--views", options->scenes.views, "meshes of this views.json instead of built-in ones");
+  app->add_option("--scenes", options->scenes.names, "names of scenes (default: all; built in: atrium, city)")
+      ->delimiter(',');
+  app->add_option("--hairball", options->hairballs,
+                  "also, or alone without --scenes: the built-in hairball with this many triangles")
+      ->delimiter(',')
+      ->check(CLI::Range(1, 1'000'000'000));
+  app->add_option("--threads", options->thread_counts, "each in turn (default: 1 and all)")
+      ->delimiter(',')
+      ->check(CLI::Range(1, 1024));
+  std::map<std::string, BuildMethod> methods;
+  for (const BuildMethod method : kBuildMethods) methods[name_of(method)] = method;
+  app->add_option("--methods", options->methods, "of lkao, embree_high, embree_medium; one, for its peak memory")
+      ->delimiter(',')
+      ->transform(CLI::CheckedTransformer(methods));
+  app->add_option("--rounds", options->round_count, "of which the median counts")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  app->add_option("--csv", options->csv, "write every measurement to this file");
+  return {app, [options] { Comparison(*options).run(); }};
+}
+
+}  // namespace lkao::bench

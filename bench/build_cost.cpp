@@ -1,0 +1,89 @@
+#include "build_cost.h"
+
+#include <atomic>
+#include <cstring>
+#include <span>
+#include <stdexcept>
+
+#include <embree3/rtcore.h>
+#include <fmt/format.h>
+
+#include "cli/stopwatch.h"
+#include "reference/embree_scene.h"
+
+namespace lkao::bench {
+namespace {
+
+// Called by Embree with every change of the memory that it holds.
+bool count_bytes(void* total, ssize_t change, bool) {
+  static_cast<std::atomic<std::ptrdiff_t>*>(total)->fetch_add(change);
+  return true;
+}
+
+void check(RTCDevice device) {
+  const RTCError error = rtcGetDeviceError(device);
+  if (error == RTC_ERROR_NONE) return;
+  throw std::runtime_error(fmt::format("Embree gives error {}", static_cast<int>(error)));
+}
+
+template <typename Value>
+void fill_buffer(RTCGeometry geometry, RTCBufferType type, RTCFormat format, std::span<const Value> values) {
+  void* buffer = rtcSetNewGeometryBuffer(geometry, type, 0, format, sizeof(Value), values.size());
+  if (buffer != nullptr && !values.empty()) std::memcpy(buffer, values.data(), values.size_bytes());
+}
+
+BuildCost build_embree(const TriangleMesh& mesh, RTCBuildQuality quality) {
+  std::atomic<std::ptrdiff_t> bytes = 0;
+  const reference::Device device(rtcNewDevice(nullptr));
+  if (!device) throw std::runtime_error("Embree gives no device");
+  rtcSetDeviceMemoryMonitorFunction(device.get(), count_bytes, &bytes);
+  const std::ptrdiff_t bytes_before = bytes;
+
+  const cli::Stopwatch time;
+  const reference::Geometry geometry(rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_TRIANGLE));
+  fill_buffer(geometry.get(), RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3, mesh.positions);
+  fill_buffer(geometry.get(), RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT3, mesh.triangles);
+  check(device.get());
+  const std::ptrdiff_t buffer_bytes = bytes - bytes_before;
+  rtcSetGeometryBuildQuality(geometry.get(), quality);
+  rtcCommitGeometry(geometry.get());
+  const reference::Scene scene(rtcNewScene(device.get()));
+  rtcSetSceneBuildQuality(scene.get(), quality);
+  rtcAttachGeometry(scene.get(), geometry.get());
+  rtcCommitScene(scene.get());
+  const double seconds = time.seconds();
+  check(device.get());
+  return {seconds, static_cast<std::size_t>(bytes - bytes_before), static_cast<std::size_t>(buffer_bytes)};
+}
+
+BuildCost build_lkao(const TriangleMesh& mesh) {
+  const cli::Stopwatch time;
+  const OccluderBvh occluders(mesh);
+  return {time.seconds(), occluders.report().memory_bytes, mesh.positions.size_bytes() + mesh.triangles.size_bytes()};
+}
+
+}  // namespace
+
+const char* name_of(BuildMethod method) {
+  switch (method) {
+    case BuildMethod::lkao:
+      return "lkao";
+    case BuildMethod::embree_high:
+      return "embree_high";
+    default:
+      return "embree_medium";
+  }
+}
+
+BuildCost build_once(BuildMethod method, const TriangleMesh& mesh) {
+  switch (method) {
+    case BuildMethod::lkao:
+      return build_lkao(mesh);
+    case BuildMethod::embree_high:
+      return build_embree(mesh, RTC_BUILD_QUALITY_HIGH);
+    default:
+      return build_embree(mesh, RTC_BUILD_QUALITY_MEDIUM);
+  }
+}
+
+}  // namespace lkao::bench

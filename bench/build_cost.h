@@ -1,0 +1,28 @@
+// What it costs to build a hierarchy once: lkao's, and Embree's scene of the same mesh.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "lkao/occluder_bvh.h"
+
+namespace lkao::bench {
+
+enum class BuildMethod { lkao, embree_high, embree_medium };
+
+inline constexpr std::array kBuildMethods = {BuildMethod::lkao, BuildMethod::embree_high, BuildMethod::embree_medium};
+
+const char* name_of(BuildMethod method);
+
+struct BuildCost {
+  double seconds;
+  // Of what is left when the build is done, all that queries need. It includes the mesh: lkao keeps a copy, Embree its
+  // vertex and index buffers.
+  std::size_t memory_bytes;
+  std::size_t mesh_bytes;  // of the copy or the buffers alone
+};
+
+// On the threads of the caller's TBB arena. Throws std::runtime_error with one line.
+BuildCost build_once(BuildMethod method, const TriangleMesh& mesh);
+
+}  // namespace lkao::bench

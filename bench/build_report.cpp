@@ -1,0 +1,86 @@
+#include "build_report.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace lkao::bench {
+namespace {
+
+struct Ratios {
+  double seconds, memory;  // lkao's over the other's
+};
+
+std::optional<Ratios> ratios(const BuildCell& cell, BuildMethod method) {
+  const BuildResult *own = cell.find(BuildMethod::lkao), *other = cell.find(method);
+  if (own == nullptr || other == nullptr) return std::nullopt;
+  return Ratios{own->seconds / other->seconds, own->bytes_per_triangle / other->bytes_per_triangle};
+}
+
+std::string summarize(const std::vector<BuildCell>& cells, BuildMethod method) {
+  double log_seconds = 0, log_memory = 0;
+  Ratios worst{0, 0};
+  int count = 0;
+  for (const BuildCell& cell : cells) {
+    const std::optional<Ratios> r = ratios(cell, method);
+    if (!r) continue;
+    log_seconds += std::log(r->seconds), log_memory += std::log(r->memory);
+    worst = {std::max(worst.seconds, r->seconds), std::max(worst.memory, r->memory)};
+    ++count;
+  }
+  if (count == 0) return "";
+  return fmt::format("lkao over {}, geometric mean (most): time {:.2f} ({:.2f}), memory {:.2f} ({:.2f})\n",
+                     name_of(method), std::exp(log_seconds / count), worst.seconds, std::exp(log_memory / count),
+                     worst.memory);
+}
+
+}  // namespace
+
+const BuildResult* BuildCell::find(BuildMethod method) const {
+  const auto found = std::find_if(results.begin(), results.end(), [&](const auto& r) { return r.method == method; });
+  return found == results.end() ? nullptr : &*found;
+}
+
+std::string build_csv_heading() {
+  return "scene,triangles,threads,method,seconds,bytes_per_triangle,mesh_bytes_per_triangle,time_ratio,memory_ratio\n";
+}
+
+std::string build_csv_rows(const BuildCell& cell) {
+  std::string rows;
+  for (const BuildResult& result : cell.results) {
+    const std::optional<Ratios> r = ratios(cell, result.method);
+    rows += fmt::format("{},{},{},{},{:.6g},{:.5g},{:.5g},{}\n", cell.scene, cell.triangle_count, cell.thread_count,
+                        name_of(result.method), result.seconds, result.bytes_per_triangle,
+                        result.mesh_bytes_per_triangle, r ? fmt::format("{:.5g},{:.5g}", r->seconds, r->memory) : ",");
+  }
+  return rows;
+}
+
+std::string build_table_heading() {
+  std::string heading = fmt::format("{:16} {:>9} {:>7}", "scene", "triangles", "threads");
+  for (const BuildMethod method : kBuildMethods) {
+    heading += fmt::format(" | {:>13} {:>8}", name_of(method), "bytes/t");
+    if (method != BuildMethod::lkao) heading += fmt::format(" {:>6} {:>8}", "x time", "x memory");
+  }
+  return heading + "\n";
+}
+
+std::string build_table_row(const BuildCell& cell) {
+  std::string row = fmt::format("{:16} {:9} {:7}", cell.scene, cell.triangle_count, cell.thread_count);
+  for (const BuildMethod method : kBuildMethods) {
+    const BuildResult* result = cell.find(method);
+    row += result ? fmt::format(" | {:11.3f} s {:8.1f}", result->seconds, result->bytes_per_triangle)
+                  : fmt::format(" | {:>13} {:>8}", "-", "-");
+    if (method == BuildMethod::lkao) continue;
+    const std::optional<Ratios> r = ratios(cell, method);
+    row += r ? fmt::format(" {:6.2f} {:8.2f}", r->seconds, r->memory) : fmt::format(" {:>6} {:>8}", "-", "-");
+  }
+  return row + "\n";
+}
+
+std::string build_summary(const std::vector<BuildCell>& cells) {
+  return summarize(cells, BuildMethod::embree_high) + summarize(cells, BuildMethod::embree_medium);
+}
+
+}  // namespace lkao::bench
