@@ -25,11 +25,12 @@ struct BoxRay {
   }
 };
 
+// Granted to comparisons, for rounding.
+inline constexpr float kBoxSlack = 0x1p-20f;
+
 // The slab test over the segment's parameter range [0, 1]. Difference, reciprocal and product round once each, so each
 // parameter is within 3 x 2^-24 of the truth; the test grants both ends of the overlap more than that. A ray that runs
 // within the plane of a face misses the box: the boxes of nodes are a step larger than what they hold (layout.h).
-inline constexpr float kBoxSlack = 1.0f + 0x1p-20f;
-
 inline bool may_meet(const BoxRay& ray, const glm::vec3& origin, const Bounds& box) {
   float enter = 0.0f, leave = 1.0f;
   for (int axis = 0; axis < 3; ++axis) {
@@ -38,23 +39,30 @@ inline bool may_meet(const BoxRay& ray, const glm::vec3& origin, const Bounds& b
     enter = std::max(enter, std::min(at_lower, at_upper));
     leave = std::min(leave, std::max(at_lower, at_upper));
   }
-  return enter <= leave * kBoxSlack;
+  return enter <= leave * (1.0f + kBoxSlack);
+}
+
+// True where all points of the two boxes are farther than `distance` from each other. Conservative as above.
+inline bool is_farther_than(float distance, const Bounds& a, const Bounds& b) {
+  float distance2 = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const float gap = std::max({0.0f, a.lower[axis] - b.upper[axis], b.lower[axis] - a.upper[axis]});
+    distance2 += gap * gap;
+  }
+  return distance2 > distance * distance * (1.0f + 2.0f * kBoxSlack);
 }
 
 // True where the box lies outside the sphere of `radius` around `origin`, or wholly below the horizon of `up` there
 // (Laine & Karras 2010, Sec. 5): no ray can meet it. Conservative as above.
 inline bool is_out_of_reach(const Bounds& box, const glm::vec3& origin, const glm::vec3& up, float radius) {
-  float distance2 = 0, highest = 0, magnitude = 0;
+  float highest = 0, magnitude = 0;
   for (int axis = 0; axis < 3; ++axis) {
     const float lower = box.lower[axis] - origin[axis], upper = box.upper[axis] - origin[axis];
-    const float gap = std::max(0.0f, std::max(lower, -upper));
-    distance2 += gap * gap;
     const float height_of_lower = up[axis] * lower, height_of_upper = up[axis] * upper;
     highest += std::max(height_of_lower, height_of_upper);
     magnitude += std::max(std::fabs(height_of_lower), std::fabs(height_of_upper));
   }
-  constexpr float kSlack = 0x1p-20f;
-  return distance2 > radius * radius * (1.0f + 2.0f * kSlack) || highest < -magnitude * kSlack;
+  return is_farther_than(radius, box, {origin, origin}) || highest < -magnitude * kBoxSlack;
 }
 
 }  // namespace lkao::bvh

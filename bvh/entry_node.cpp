@@ -1,18 +1,9 @@
 #include "bvh/entry_node.h"
 
-#include <algorithm>
+#include "bvh/box_test.h"
 
 namespace lkao::bvh {
 namespace {
-
-bool is_within_reach(const Bounds& box, const Bounds& origins, float radius) {
-  float distance2 = 0;
-  for (int axis = 0; axis < 3; ++axis) {
-    const float gap = std::max({0.0f, box.lower[axis] - origins.upper[axis], origins.lower[axis] - box.upper[axis]});
-    distance2 += gap * gap;
-  }
-  return distance2 <= radius * radius * (1.0f + 0x1p-19f);
-}
 
 float half_area(const Bounds& box) {
   const glm::vec3 size = box.upper - box.lower;
@@ -35,7 +26,7 @@ class EntryNode {
   int reached_count(const Node& node) const {
     int count = 0;
     for (int i = 0; i < kWidth && !node.children[i].is_empty(); ++i) {
-      count += is_within_reach(node.child_bounds(i), origins_, radius_);
+      count += !is_farther_than(radius_, node.child_bounds(i), origins_);
     }
     return count;
   }
@@ -43,7 +34,7 @@ class EntryNode {
   void add_children_of(const Node& node) {
     for (int i = 0; i < kWidth && !node.children[i].is_empty(); ++i) {
       const Bounds box = node.child_bounds(i);
-      if (!is_within_reach(box, origins_, radius_)) continue;
+      if (is_farther_than(radius_, box, origins_)) continue;
       const ChildRef child = node.children[i];
       reached_counts_[count_] = child.is_leaf() ? kWidth + 1 : reached_count(layout_.nodes[child.index()]);
       node_.set_child(count_++, box, child);

@@ -26,7 +26,9 @@ HWY_BEFORE_NAMESPACE();
 namespace lkao::bvh::HWY_NAMESPACE {
 namespace {
 
-OcclusionMask trace_simd(const Layout& layout, const Query& query) { return trace_scalar(layout, query); }
+OcclusionMask trace_simd(const Layout& layout, const Query& query, const PatternCones&) {
+  return trace_scalar(layout, query);
+}
 
 }  // namespace
 }  // namespace lkao::bvh::HWY_NAMESPACE
@@ -49,12 +51,12 @@ constexpr int kFewRays = 16, kFewRaysPerChunk = 1;
 
 class SimdTraversal {
  public:
-  SimdTraversal(const Layout& layout, const Query& query)
+  SimdTraversal(const Layout& layout, const Query& query, const PatternCones& cones)
       : layout_(layout),
         query_(query),
         receiver_(layout, query),
         rays_(query.rays),
-        cones_(query.cones, query.rays.frame, query.rays.ray_count / kLaneCount, query.radius),
+        cones_(cones, query.rays.frame, query.rays.ray_count / kLaneCount, query.radius),
         stream_(layout, query, receiver_, rays_) {}
 
   OcclusionMask run() {
@@ -139,7 +141,9 @@ class SimdTraversal {
   RayStream stream_;
 };
 
-OcclusionMask trace_simd(const Layout& layout, const Query& query) { return SimdTraversal(layout, query).run(); }
+OcclusionMask trace_simd(const Layout& layout, const Query& query, const PatternCones& cones) {
+  return SimdTraversal(layout, query, cones).run();
+}
 
 }  // namespace
 }  // namespace lkao::bvh::HWY_NAMESPACE
@@ -152,8 +156,8 @@ namespace lkao::bvh {
 
 HWY_EXPORT(trace_simd);
 
-OcclusionMask trace_simd(const Layout& layout, const Query& query) {
-  return HWY_DYNAMIC_DISPATCH(trace_simd)(layout, query);
+OcclusionMask trace_simd(const Layout& layout, const Query& query, const PatternCones& cones) {
+  return HWY_DYNAMIC_DISPATCH(trace_simd)(layout, query, cones);
 }
 
 }  // namespace lkao::bvh

@@ -7,7 +7,6 @@
 
 #include "bvh/box_test.h"
 #include "bvh/layout.h"
-#include "bvh/pattern_cones.h"
 #include "bvh/triangle_test.h"
 #include "lkao/ambient_occlusion.h"
 
@@ -17,7 +16,6 @@ namespace lkao::bvh {
 struct Query {
   const Node& root;  // where to begin: layout.root(), or an entry node for the origin of the rays
   const ReceiverRays& rays;
-  const PatternCones& cones;  // of the rays, before rays.frame turns them
   float radius = 0;
   Sidedness sidedness = Sidedness::two_sided;
   std::uint32_t excluded_primitive = kNoPrimitive;

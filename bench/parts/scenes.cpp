@@ -79,8 +79,7 @@ Surroundings make_surroundings() {
   const SamplePattern& pattern = SamplePattern::standard(128);
   const float radius = scene.view.radii.back();
   const AmbientOcclusion ao(scene.occluders, pattern, {.radius = radius});
-  Surroundings here{
-      scene.occluders, radius, ao.rays(scene.tiles.front(), 0), bvh::make_pattern_cones(pattern.directions()), {}, {}};
+  Surroundings here{scene.occluders, radius, ao.rays(scene.tiles.front(), 0), {}, {}};
   add_all_that_rays_meet(here);
   here.nodes = choose_evenly(here.nodes);
   here.leaves = choose_evenly(here.leaves);

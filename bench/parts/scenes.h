@@ -40,12 +40,11 @@ struct Surroundings {
 
   OccluderBvh occluders;
   float radius;
-  ReceiverRays rays;  // 128
-  bvh::PatternCones cones;
+  ReceiverRays rays;              // 128
   std::vector<bvh::Node> nodes;   // with all children
   std::vector<bvh::Leaf> leaves;  // with all triangles
 
-  bvh::Query query() const { return {occluders.layout().root(), rays, cones, radius}; }
+  bvh::Query query() const { return {occluders.layout().root(), rays, radius}; }
 };
 
 // kCount nodes and leaves, evenly of all that some ray may meet. Made at the first call and kept.

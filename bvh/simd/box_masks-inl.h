@@ -24,7 +24,7 @@ class RelativeBoxes {
   // reached().
   HWY_INLINE RelativeBoxes(const Node& node, const glm::vec3& origin, const glm::vec3& up, float radius) {
     const BoxTag tag;
-    const auto zero = hn::Zero(tag), half = hn::Set(tag, 0.5f), slack = hn::Set(tag, 0x1p-20f);
+    const auto zero = hn::Zero(tag), half = hn::Set(tag, 0.5f), slack = hn::Set(tag, kBoxSlack);
     // Less than infinity, where the empty children are.
     const auto reach2 = hn::Set(tag, std::min(radius * radius * (1.0f + 0x1p-19f), std::numeric_limits<float>::max()));
     for (int i = 0; i < kWidth; i += lane_count(tag)) {

@@ -9,7 +9,6 @@
 #include <bit>
 #include <cstdint>
 #include <cstring>
-#include <limits>
 
 #include <hwy/highway.h>
 
@@ -51,8 +50,8 @@ class RaySet {
   alignas(64) std::uint16_t open[kMaxChunkCount];
 
  private:
-  // Components shorter than half the margin of boxes count as that long, so
-  // that no product with a face overflows: along such a component the ray leaves the box no later than it did.
+  // Components shorter than half the margin of boxes count as that long, so that no product with a face overflows:
+  // along such a component the ray leaves the box no later than it did.
   static void invert(const float* from, int count, float* to) {
     const RayTag tag;
     const auto shortest = hn::Set(tag, 0.5f * Node::kMargin);

@@ -134,7 +134,7 @@ class RayStream {
         const auto enter = hn::Max(hn::Max(hn::Min(x0, x1), hn::Min(y0, y1)), hn::Max(hn::Min(z0, z1), hn::Zero(tag)));
         const auto leave =
             hn::Min(hn::Min(hn::Max(x0, x1), hn::Max(y0, y1)), hn::Min(hn::Max(z0, z1), hn::Set(tag, 1.0f)));
-        const auto met = hn::RebindMask(bits_tag, hn::Le(enter, hn::Mul(leave, hn::Set(tag, kBoxSlack))));
+        const auto met = hn::RebindMask(bits_tag, hn::Le(enter, hn::Mul(leave, hn::Set(tag, 1.0f + kBoxSlack))));
         const auto children = hn::Load(bits_tag, node.child_bits() + i);
         hn::StoreU(hn::Compress(children, met), bits_tag, pairs_.children + count);
         hn::StoreU(hn::Set(bits_tag, ray), bits_tag, pairs_.rays + count);

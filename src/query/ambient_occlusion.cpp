@@ -53,10 +53,11 @@ OcclusionMask trace(const AmbientOcclusion& ao, const query::PatternLanes& lanes
   const QueryOptions& options = ao.options();
   query::make_rays(receiver, lanes, options, largest_coordinate, index, rays);
   if (!rays.cast.any()) return {};
-  const bvh::Query query{root, rays, lanes.cones, options.radius, options.sidedness, receiver.excluded_primitive};
+  const bvh::Query query{root, rays, options.radius, options.sidedness, receiver.excluded_primitive};
   const bvh::Layout& layout = ao.occluders().layout();
   if (ao.table()) return bvh::trace_table(layout, query, *ao.table(), options.node_masks);
-  return options.kernel == Kernel::simd ? bvh::trace_simd(layout, query) : bvh::trace_scalar(layout, query);
+  return options.kernel == Kernel::simd ? bvh::trace_simd(layout, query, lanes.cones)
+                                        : bvh::trace_scalar(layout, query);
 }
 
 }  // namespace
