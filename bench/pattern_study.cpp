@@ -2,8 +2,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstdio>
-#include <exception>
 #include <fstream>
 #include <functional>
 #include <stdexcept>
@@ -12,11 +10,11 @@
 
 #include <fmt/format.h>
 #include <fmt/ostream.h>
-#include <CLI/CLI.hpp>
 
 #include "image/image.h"
 #include "pattern_errors.h"
 #include "pattern_image.h"
+#include "program.h"
 #include "study_scenes.h"
 
 namespace lkao::bench {
@@ -260,30 +258,20 @@ int run(int argc, char** argv) {
   app.add_option("--csv", options.csv, "where to write every figure");
   app.add_option("--image", options.image, "only write a picture of every pattern at work (.png, .exr)");
   app.add_option("--image-scene", options.image_scene, "built-in scene of the picture");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::Success& request) {  // --help
-    return app.exit(request);
-  }
-  if (options.scenes.views.empty() && options.scenes.names.empty()) {
-    options.scenes.names = {"atrium", "city", "hairball", "wall", "sphere"};
-  }
-  if (options.image.empty()) {
-    study(options);
-  } else {
-    image::write_image(options.image, pattern_image(options.image_scene));
-  }
-  return 0;
+  return run_program(app, argc, argv, [&] {
+    if (options.scenes.views.empty() && options.scenes.names.empty()) {
+      options.scenes.names = {"atrium", "city", "hairball", "wall", "sphere"};
+    }
+    if (options.image.empty()) {
+      study(options);
+    } else {
+      image::write_image(options.image, pattern_image(options.image_scene));
+    }
+    return 0;
+  });
 }
 
 }  // namespace
 }  // namespace lkao::bench
 
-int main(int argc, char** argv) {
-  try {
-    return lkao::bench::run(argc, argv);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "lkao_bench_patterns: %s\n", error.what());
-    return 2;
-  }
-}
+int main(int argc, char** argv) { return lkao::bench::run(argc, argv); }

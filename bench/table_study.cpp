@@ -12,13 +12,13 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 
 #include "cli/stopwatch.h"
 #include "image/atomic_file.h"
 #include "image/metrics.h"
 #include "lkao/lkao.h"
 #include "plane_errors.h"
+#include "program.h"
 #include "study_scenes.h"
 
 namespace lkao::bench {
@@ -316,22 +316,10 @@ int run(int argc, char** argv) {
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
   program.add_option("--csv", options.csv, "write every measurement to this file");
-  try {
-    program.parse(argc, argv);
-  } catch (const CLI::Success& request) {
-    return program.exit(request);
-  }
-  return Study(options).run() ? 0 : 1;
+  return run_program(program, argc, argv, [&] { return Study(options).run() ? 0 : 1; });
 }
 
 }  // namespace
 }  // namespace lkao::bench
 
-int main(int argc, char** argv) {
-  try {
-    return lkao::bench::run(argc, argv);
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "lkao_bench_tables: {}\n", error.what());
-    return 2;
-  }
-}
+int main(int argc, char** argv) { return lkao::bench::run(argc, argv); }
