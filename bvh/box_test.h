@@ -28,11 +28,12 @@ struct BoxRay {
 // Granted to comparisons, for rounding.
 inline constexpr float kBoxSlack = 0x1p-20f;
 
-// The slab test over the segment's parameter range [0, 1]. Difference, reciprocal and product round once each, so each
-// parameter is within 3 x 2^-24 of the truth; the test grants both ends of the overlap more than that. A ray that runs
-// within the plane of a face misses the box: the boxes of nodes are a step larger than what they hold (layout.h).
-inline bool may_meet(const BoxRay& ray, const glm::vec3& origin, const Bounds& box) {
-  float enter = 0.0f, leave = 1.0f;
+// The slab test over the segment's parameter range [begin, end]. Difference, reciprocal and product round once each, so
+// each parameter is within 3 x 2^-24 of the truth; the test grants both ends of the overlap more than that. A ray that
+// runs within the plane of a face misses the box: the boxes of nodes are a step larger than what they hold (layout.h).
+inline bool may_meet(const BoxRay& ray, const glm::vec3& origin, const Bounds& box, float begin = 0.0f,
+                     float end = 1.0f) {
+  float enter = begin, leave = end;
   for (int axis = 0; axis < 3; ++axis) {
     const float at_lower = (box.lower[axis] - origin[axis]) * ray.reciprocal[axis];
     const float at_upper = (box.upper[axis] - origin[axis]) * ray.reciprocal[axis];
@@ -52,17 +53,19 @@ inline bool is_farther_than(float distance, const Bounds& a, const Bounds& b) {
   return distance2 > distance * distance * (1.0f + 2.0f * kBoxSlack);
 }
 
-// True where the box lies outside the sphere of `radius` around `origin`, or wholly below the horizon of `up` there
-// (Laine & Karras 2010, Sec. 5): no ray can meet it. Conservative as above.
-inline bool is_out_of_reach(const Bounds& box, const glm::vec3& origin, const glm::vec3& up, float radius) {
-  float highest = 0, magnitude = 0;
+// True where the box lies outside the sphere of radius `far` around `origin`, wholly within that of radius `near`, or
+// wholly below the horizon of `up` there (Laine & Karras 2010, Sec. 5): no ray can meet it. Conservative as above.
+inline bool is_out_of_reach(const Bounds& box, const glm::vec3& origin, const glm::vec3& up, float near, float far) {
+  float highest = 0, magnitude = 0, farthest2 = 0;
   for (int axis = 0; axis < 3; ++axis) {
     const float lower = box.lower[axis] - origin[axis], upper = box.upper[axis] - origin[axis];
+    farthest2 += std::max(lower * lower, upper * upper);
     const float height_of_lower = up[axis] * lower, height_of_upper = up[axis] * upper;
     highest += std::max(height_of_lower, height_of_upper);
     magnitude += std::max(std::fabs(height_of_lower), std::fabs(height_of_upper));
   }
-  return is_farther_than(radius, box, {origin, origin}) || highest < -magnitude * kBoxSlack;
+  return is_farther_than(far, box, {origin, origin}) || farthest2 * (1.0f + 2.0f * kBoxSlack) < near * near ||
+         highest < -magnitude * kBoxSlack;
 }
 
 }  // namespace lkao::bvh

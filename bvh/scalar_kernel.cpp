@@ -17,7 +17,7 @@ class ScalarKernel {
   OcclusionMask node_mask(const Bounds& box, const OcclusionMask& mask) const {
     OcclusionMask met;
     for_each_ray(mask, word_count_, [&](int ray) {
-      if (may_meet(box_rays_[ray], query_.rays.origin, box)) met.set(ray);
+      if (may_meet(box_rays_[ray], query_.rays.origin, box, begin(ray), end(ray))) met.set(ray);
     });
     return met;
   }
@@ -27,12 +27,15 @@ class ScalarKernel {
     const TriangleTest test = make_test(layout_, primitive, query_);
     if (!test.can_block()) return blocked;
     for_each_ray(mask, word_count_, [&](int ray) {
-      if (test.blocks(query_.rays.ray(ray))) blocked.set(ray);
+      if (blocks(test, query_, ray)) blocked.set(ray);
     });
     return blocked;
   }
 
  private:
+  float begin(int ray) const { return query_.parts != nullptr ? query_.parts->begin[ray] : 0.0f; }
+  float end(int ray) const { return query_.parts != nullptr ? query_.parts->end[ray] : 1.0f; }
+
   const Layout& layout_;
   const Query& query_;
   int word_count_;

@@ -49,27 +49,29 @@ namespace {
 // A node goes to the stream if it meets no more rays than this, a leaf if it meets no more in a chunk on average.
 constexpr int kFewRays = 16, kFewRaysPerChunk = 1;
 
+template <class Parts>
 class SimdTraversal {
  public:
   SimdTraversal(const Layout& layout, const Query& query, const PatternCones& cones)
       : layout_(layout),
         query_(query),
         receiver_(layout, query),
-        rays_(query.rays),
-        cones_(cones, query.rays.frame, query.rays.ray_count / kLaneCount, query.radius),
+        rays_(query),
+        parts_(query),
+        cones_(cones, query.rays.frame, query.rays.ray_count / kLaneCount, query.near(), query.far()),
         stream_(layout, query, receiver_, rays_) {}
 
   OcclusionMask run() {
     const std::uint64_t all_chunks = ~std::uint64_t{0} >> (kMaxChunkCount - rays_.chunk_count);
     visit(query_.root, {all_chunks, rays_.open});
     stream_.run();
-    return query_.rays.cast & ~rays_.open_mask();
+    return query_.open & ~rays_.open_mask();
   }
 
  private:
   // `active`: rays that may meet the node. Those that were blocked in the meantime are left out here.
   void visit(const Node& node, const ActiveRays& active) {
-    const RelativeBoxes boxes(node, query_.rays.origin, query_.rays.up, query_.radius);
+    const RelativeBoxes<Parts> boxes(node, query_.rays.origin, query_.rays.up, query_.near(), query_.far());
     std::uint16_t met[kWidth][kMaxChunkCount];  // by child, then chunk
     std::uint64_t met_chunks[kWidth];
     int ray_counts[kWidth];
@@ -80,7 +82,7 @@ class SimdTraversal {
       std::uint64_t chunks = 0;
       for_each_chunk(active.chunks & cones_.meeting(boxes, child), [&](int chunk) {
         const std::uint32_t candidates = static_cast<std::uint32_t>(active.masks[chunk]) & rays_.open[chunk];
-        const std::uint32_t mask = candidates & boxes.rays_meeting(child, rays_, chunk);
+        const std::uint32_t mask = candidates & boxes.rays_meeting(child, rays_, parts_, chunk);
         met[child][chunk] = static_cast<std::uint16_t>(mask);
         chunks |= static_cast<std::uint64_t>(mask != 0) << chunk;
         ray_count += std::popcount(mask);
@@ -111,7 +113,7 @@ class SimdTraversal {
     const LeafPlanes planes(frames);
     for_each_chunk(active.chunks, [&](int chunk) {
       const std::uint32_t mask = active.masks[chunk];
-      const Verdict rays = planes.blocked(rays_, chunk);
+      const Verdict rays = planes.blocked(rays_, parts_, chunk);
       std::uint32_t blocked = rays.sure;
       const std::uint32_t in_doubt = rays.perhaps & ~rays.sure & mask;
       if (HWY_UNLIKELY(in_doubt != 0)) blocked |= resolve(leaf, chunk, in_doubt);
@@ -127,7 +129,7 @@ class SimdTraversal {
       const TriangleTest test = make_test(layout_, leaf.primitives[triangle], query_);
       for (std::uint32_t rest = test.can_block() ? lanes : 0; rest != 0; rest &= rest - 1) {
         const int lane = std::countr_zero(rest);
-        if (test.blocks(query_.rays.ray(chunk * kLaneCount + lane))) blocked |= 1u << lane;
+        if (blocks(test, query_, chunk * kLaneCount + lane)) blocked |= 1u << lane;
       }
     }
     return blocked;
@@ -137,12 +139,14 @@ class SimdTraversal {
   const Query& query_;
   LeafReceiver receiver_;
   RaySet rays_;
+  Parts parts_;
   ChunkCones cones_;
-  RayStream stream_;
+  RayStream<Parts> stream_;
 };
 
 OcclusionMask trace_simd(const Layout& layout, const Query& query, const PatternCones& cones) {
-  return SimdTraversal(layout, query, cones).run();
+  if (query.parts != nullptr) return SimdTraversal<PartsOfRays>(layout, query, cones).run();
+  return SimdTraversal<WholeRays>(layout, query, cones).run();
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 
 #include "bvh/box_test.h"
 #include "bvh/layout.h"
+#include "bvh/ray_parts.h"
 #include "bvh/triangle_test.h"
 #include "lkao/ambient_occlusion.h"
 
@@ -16,9 +17,15 @@ namespace lkao::bvh {
 struct Query {
   const Node& root;  // where to begin: layout.root(), or an entry node for the origin of the rays
   const ReceiverRays& rays;
+  const OcclusionMask& open;  // rays to decide about: rays.cast or fewer
   float radius = 0;
   Sidedness sidedness = Sidedness::two_sided;
   std::uint32_t excluded_primitive = kNoPrimitive;
+  const RayParts* parts = nullptr;  // null: whole rays
+
+  // Where rays begin and end to count, at the earliest and latest.
+  float near() const { return parts != nullptr ? parts->near : 0; }
+  float far() const { return parts != nullptr ? parts->far : radius; }
 };
 
 // The definition for one triangle as the query's receiver sees it.
@@ -29,6 +36,12 @@ inline TriangleTest make_test(const Layout& layout, std::uint32_t primitive, con
           query.rays.origin,
           query.radius,
           query.sidedness};
+}
+
+// The definition for one ray of the query.
+inline bool blocks(const TriangleTest& test, const Query& query, int ray) {
+  if (query.parts == nullptr) return test.blocks(query.rays.ray(ray));
+  return test.blocks(query.rays.ray(ray), query.parts->begin[ray], query.parts->end[ray]);
 }
 
 // Calls `function(ray)` for every ray of the mask.
@@ -48,12 +61,12 @@ template <typename Kernel>
 class Traversal {
  public:
   Traversal(const Layout& layout, const Query& query, Kernel& kernel)
-      : layout_(layout), query_(query), kernel_(kernel), open_(query.rays.cast) {}
+      : layout_(layout), query_(query), kernel_(kernel), open_(query.open) {}
 
-  // Rays that are blocked, of those that are cast.
+  // Rays that are blocked, of those to decide about.
   OcclusionMask run() {
     if (open_.any()) visit(query_.root, open_);
-    return query_.rays.cast & ~open_;
+    return query_.open & ~open_;
   }
 
  private:
@@ -89,7 +102,7 @@ class Traversal {
     int child_count = 0;
     for (int i = 0; i < kWidth && !node.children[i].is_empty(); ++i) {
       const Bounds box = node.child_bounds(i);
-      if (is_out_of_reach(box, query_.rays.origin, query_.rays.up, query_.radius)) continue;
+      if (is_out_of_reach(box, query_.rays.origin, query_.rays.up, query_.near(), query_.far())) continue;
       child_masks[i] = kernel_.node_mask(box, mask);
       ray_counts[i] = child_masks[i].count();
       if (ray_counts[i] == 0) continue;

@@ -71,6 +71,13 @@ class TriangleTest {
            glm::dot(r, normal_) >= distance_ - normal_slack_;
   }
 
+  // The same for a part of the segment: from `begin` times the ray to `end` times the ray, 0 <= begin <= end <= 1.
+  // A triangle that blocks the ray blocks at least one of the parts that it is divided into.
+  bool blocks(const glm::vec3& ray, double begin, double end) const {
+    const double towards = glm::dot(glm::dvec3(ray), normal_);
+    return blocks(ray) && towards * end >= distance_ - normal_slack_ && towards * begin <= distance_ + normal_slack_;
+  }
+
   // The planes, for kernels that decide by other means first. Normals are not of unit length; rays beyond all of
   // edge(i) . x = 0 and normal() . x = distance() are blocked. Require can_block().
   const glm::dvec3& edge(int i) const { return edges_[i]; }

@@ -84,11 +84,13 @@ void run_nodes(benchmark::State& state, const Test& test) {
 
 void node_16_rays(benchmark::State& state) {
   const Surroundings& here = surroundings();
-  const simd::RaySet rays(here.rays);
+  const bvh::Query query = here.query();
+  const simd::RaySet rays(query);
+  const simd::WholeRays whole(query);
   run_nodes<kLaneCount>(state, [&](const bvh::Node& node, int first) {
-    const simd::RelativeBoxes boxes(node, here.rays.origin, here.rays.up, here.radius);
+    const simd::RelativeBoxes<simd::WholeRays> boxes(node, here.rays.origin, here.rays.up, 0, here.radius);
     NodeAnswer met;
-    for (int i = 0; i < kWidth; ++i) met.rays[i] = boxes.rays_meeting(i, rays, first / kLaneCount) & 0xffffu;
+    for (int i = 0; i < kWidth; ++i) met.rays[i] = boxes.rays_meeting(i, rays, whole, first / kLaneCount) & 0xffffu;
     return met;
   });
 }
@@ -143,21 +145,24 @@ void run_leaves(benchmark::State& state, const Test& test) {
 void leaf_16_rays(benchmark::State& state) {
   const Surroundings& here = surroundings();
   const bvh::Query query = here.query();
-  const simd::RaySet rays(here.rays);
+  const simd::RaySet rays(query);
+  const simd::WholeRays whole(query);
   const simd::LeafReceiver receiver(here.occluders.layout(), query);
   run_leaves<kLaneCount>(state, [&](const bvh::Leaf& leaf, int first) {
     const simd::LeafFrames frames(receiver, leaf);
-    return simd::LeafPlanes(frames).blocked(rays, first / kLaneCount);
+    return simd::LeafPlanes(frames).blocked(rays, whole, first / kLaneCount);
   });
 }
 
 void leaf_1_ray(benchmark::State& state) {
   const Surroundings& here = surroundings();
   const bvh::Query query = here.query();
+  const simd::WholeRays whole(query);
   const simd::LeafReceiver receiver(here.occluders.layout(), query);
   run_leaves<1>(state, [&](const bvh::Leaf& leaf, int ray) {
     const simd::LeafFrames frames(receiver, leaf);
-    const Verdict triangles = frames.blocked(here.rays.x[ray], here.rays.y[ray], here.rays.z[ray]);
+    const Verdict triangles =
+        frames.blocked(here.rays.x[ray], here.rays.y[ray], here.rays.z[ray], whole, static_cast<std::uint32_t>(ray));
     return Verdict{triangles.sure != 0, triangles.perhaps != 0};
   });
 }

@@ -12,23 +12,26 @@
 #include <hwy/highway.h>
 
 #include "bvh/layout.h"
+#include "bvh/simd/ray_parts-inl.h"
 #include "bvh/simd/ray_sets-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace lkao::bvh::HWY_NAMESPACE {
 
 // The boxes of a node's children, relative to the origin of the rays: centers and half sizes.
+template <class Parts>
 class RelativeBoxes {
  public:
-  // Of the children, only those within reach of a sphere of `radius` above the horizon of `up` are of use: see
-  // reached().
-  HWY_INLINE RelativeBoxes(const Node& node, const glm::vec3& origin, const glm::vec3& up, float radius) {
+  // Of the children, only those between the spheres of radius `near` and `far`, above the horizon of `up`, are of use:
+  // see reached().
+  HWY_INLINE RelativeBoxes(const Node& node, const glm::vec3& origin, const glm::vec3& up, float near, float far) {
     const BoxTag tag;
     const auto zero = hn::Zero(tag), half = hn::Set(tag, 0.5f), slack = hn::Set(tag, kBoxSlack);
     // Less than infinity, where the empty children are.
-    const auto reach2 = hn::Set(tag, std::min(radius * radius * (1.0f + 0x1p-19f), std::numeric_limits<float>::max()));
+    const auto reach2 = hn::Set(tag, std::min(far * far * (1.0f + 2 * kBoxSlack), std::numeric_limits<float>::max()));
+    const auto least2 = hn::Set(tag, near * near * (1.0f - 2 * kBoxSlack));
     for (int i = 0; i < kWidth; i += lane_count(tag)) {
-      auto distance2 = zero, highest = zero, magnitude = zero;
+      auto distance2 = zero, farthest2 = zero, highest = zero, magnitude = zero;
       for (int axis = 0; axis < 3; ++axis) {
         const auto from = hn::Set(tag, origin[axis]);
         const auto lower = hn::Sub(hn::Load(tag, node.faces[0][axis] + i), from),
@@ -36,6 +39,9 @@ class RelativeBoxes {
         // As is_out_of_reach says. Empty children are.
         const auto gap = hn::Max(zero, hn::Max(lower, hn::Neg(upper)));
         distance2 = hn::MulAdd(gap, gap, distance2);
+        if constexpr (Parts::kHasParts) {
+          farthest2 = hn::Add(farthest2, hn::Max(hn::Mul(lower, lower), hn::Mul(upper, upper)));
+        }
         const auto up_axis = hn::Set(tag, up[axis]);
         const auto height_of_lower = hn::Mul(up_axis, lower), height_of_upper = hn::Mul(up_axis, upper);
         highest = hn::Add(highest, hn::Max(height_of_lower, height_of_upper));
@@ -46,9 +52,10 @@ class RelativeBoxes {
         hn::Store(center, tag, center_[axis] + i);
         hn::Store(hn::MulAdd(slack, hn::Add(hn::Abs(center), half_size), half_size), tag, half_size_[axis] + i);
       }
-      const auto near = hn::Le(distance2, reach2);
+      auto within = hn::Le(distance2, reach2);
+      if constexpr (Parts::kHasParts) within = hn::And(within, hn::Ge(farthest2, least2));
       const auto above = hn::Ge(highest, hn::Neg(hn::Mul(magnitude, slack)));
-      reached_ |= bits_of(tag, hn::And(near, above)) << i;
+      reached_ |= bits_of(tag, hn::And(within, above)) << i;
     }
   }
 
@@ -60,9 +67,8 @@ class RelativeBoxes {
   float upper(int axis, int child) const { return center_[axis][child] + half_size_[axis][child]; }
 
   // Of the 16 rays of a chunk, those that may meet a child's box within their length. As may_meet.
-  HWY_INLINE std::uint32_t rays_meeting(int child, const RaySet& rays, int chunk) const {
+  HWY_INLINE std::uint32_t rays_meeting(int child, const RaySet& rays, const Parts& parts, int chunk) const {
     const RayTag tag;
-    const auto zero = hn::Zero(tag), one = hn::Set(tag, 1.0f);
     std::uint32_t missed = 0;
     for (int i = 0; i < kLaneCount; i += lane_count(tag)) {
       const int first = chunk * kLaneCount + i;
@@ -74,9 +80,9 @@ class RelativeBoxes {
                  size_z = hn::Set(tag, half_size_[2][child]);
       const auto enter =
           hn::Max(hn::Max(hn::NegMulAdd(size_x, hn::Abs(x), to_x), hn::NegMulAdd(size_y, hn::Abs(y), to_y)),
-                  hn::Max(hn::NegMulAdd(size_z, hn::Abs(z), to_z), zero));
+                  hn::Max(hn::NegMulAdd(size_z, hn::Abs(z), to_z), parts.begin(tag, first)));
       const auto leave = hn::Min(hn::Min(hn::MulAdd(size_x, hn::Abs(x), to_x), hn::MulAdd(size_y, hn::Abs(y), to_y)),
-                                 hn::Min(hn::MulAdd(size_z, hn::Abs(z), to_z), one));
+                                 hn::Min(hn::MulAdd(size_z, hn::Abs(z), to_z), parts.end(tag, first)));
       missed |= bits_of(tag, hn::Gt(enter, leave)) << i;
     }
     return ~missed;

@@ -24,8 +24,8 @@ namespace lkao::bvh::HWY_NAMESPACE {
 // divided by the largest component, and left no later than its far face divided by the smallest.
 class ChunkCones {
  public:
-  ChunkCones(const PatternCones& cones, const glm::mat3& frame, int chunk_count, float radius)
-      : chunk_count_(chunk_count), reach_(radius * kSlack), shortest_(radius * 0x1p-20f) {
+  ChunkCones(const PatternCones& cones, const glm::mat3& frame, int chunk_count, float near, float far)
+      : chunk_count_(chunk_count), near_(near / kSlack), far_(far * kSlack), shortest_(far * 0x1p-20f) {
     if (chunk_count_ < kWorthwhileChunkCount) return;
     const RayTag tag;
     for (int i = 0; i < chunk_count; i += lane_count(tag)) {
@@ -41,7 +41,8 @@ class ChunkCones {
   }
 
   // Chunks that may meet a child's box, as bits.
-  HWY_INLINE std::uint64_t meeting(const RelativeBoxes& boxes, int child) const {
+  template <class Boxes>
+  HWY_INLINE std::uint64_t meeting(const Boxes& boxes, int child) const {
     if (chunk_count_ < kWorthwhileChunkCount) return ~std::uint64_t{0};
     const RayTag tag;
     // Where the box begins and ends, up and down the axis: 0 and next to 0 where it does not on that side.
@@ -55,7 +56,7 @@ class ChunkCones {
     }
     std::uint64_t chunks = 0;
     for (int i = 0; i < chunk_count_; i += lane_count(tag)) {
-      auto enter = hn::Zero(tag), leave = hn::Set(tag, reach_);
+      auto enter = hn::Set(tag, near_), leave = hn::Set(tag, far_);
       for (int direction = 0; direction < 2; ++direction) {
         for (int axis = 0; axis < 3; ++axis) {
           enter = hn::Max(enter, hn::Mul(gap[direction][axis], hn::Load(tag, soonest_[direction][axis] + i)));
@@ -100,7 +101,8 @@ class ChunkCones {
   static constexpr float kSlack = 1.0f + 0x1p-16f;  // of lengths and reciprocals
 
   int chunk_count_;
-  float reach_, shortest_;
+  float near_, far_;  // between these distances boxes count
+  float shortest_;
   // By direction (up or down the axis), axis and chunk: 1 / component.
   alignas(64) float soonest_[2][3][kMaxChunkCount];
   alignas(64) float latest_[2][3][kMaxChunkCount];

@@ -14,6 +14,7 @@
 
 #include "bvh/layout.h"
 #include "bvh/simd/lanes-inl.h"
+#include "bvh/simd/ray_parts-inl.h"
 #include "bvh/simd/ray_sets-inl.h"
 #include "bvh/traversal.h"
 
@@ -55,9 +56,10 @@ struct LeafReceiver {
 //
 // Error bounds, with e = 2^-24, |p| the L1 norm of origin - vertex, r the length of the longest ray (L1: 1.7321 r) and
 // g the steepness: gradients, difference and the sums of three products make the origin's coordinates uncertain by 5 e
-// g |p| and 5 e |p|, the ray's by 4 e g 1.7321 r and 4 e 1.7321 r, so the two products and their sum by 22 e g
-// |p| 1.7321 r = 39 e g |p| r. The third edge adds up the errors of both, and 6 e 1.7321 r. The bounds below grant more
-// than that. To |p| comes a little for the definition's own tolerance where the origin is at the vertex.
+// g |p| and 5 e |p|, the ray's by 4 e g 1.7321 r and 4 e 1.7321 r (5 e with the share of a part), so the two products
+// and their sum by 22 e g |p| 1.7321 r = 39 e g |p| r. The third edge adds up the errors of both, and 6 e 1.7321 r. The
+// bounds below grant more than that. To |p| comes a little for the definition's own tolerance where the origin is at
+// the vertex.
 class LeafFrames {
  public:
   HWY_INLINE LeafFrames(const LeafReceiver& receiver, const Leaf& leaf) : leaf_(leaf) {
@@ -76,7 +78,7 @@ class LeafFrames {
     const auto distance_slack = hn::Mul(hn::Set(tag, 6 * 0x1p-24f), reach);
     edge_slack_ = hn::Mul(hn::MulAdd(hn::Mul(load(leaf.steepness), reach), hn::Set(tag, 90.0f), hn::Set(tag, 12.0f)),
                           receiver.radius_rounding);
-    own_slack_ = hn::MulAdd(hn::Set(tag, 8.0f), receiver.radius_rounding, distance_slack);
+    own_slack_ = hn::MulAdd(hn::Set(tag, 10.0f), receiver.radius_rounding, distance_slack);
 
     // `!(x > y)` holds for NaN too.
     const std::uint32_t unsure_side = kAllTriangles & ~bits_of(tag, hn::Gt(distance_, distance_slack));
@@ -93,23 +95,36 @@ class LeafFrames {
   }
 
   // Triangles that block one ray.
-  HWY_INLINE Verdict blocked(float x, float y, float z) const {
+  template <class Parts>
+  HWY_INLINE Verdict blocked(float x, float y, float z, const Parts& parts, std::uint32_t ray) const {
     const TriangleTag tag;
     const auto rx = hn::Set(tag, x), ry = hn::Set(tag, y), rz = hn::Set(tag, z);
     const auto towards = hn::Xor(dot(leaf_.back_normal, rx, ry, rz), turn_);
     const auto u = hn::MulAdd(u_, towards, hn::Mul(distance_, dot(leaf_.u_gradient, rx, ry, rz)));
     const auto v = hn::MulAdd(v_, towards, hn::Mul(distance_, dot(leaf_.v_gradient, rx, ry, rz)));
-    const Verdict verdict = judge(tag, u, v, towards, distance_, edge_slack_, own_slack_);
+    const auto within =
+        depth_within<Parts>(towards, distance_, parts.begin_of_one(tag, ray), parts.end_of_one(tag, ray));
+    const Verdict verdict = judge(tag, u, v, towards, within, edge_slack_, own_slack_);
     return {verdict.sure & candidates_, verdict.perhaps & candidates_};
   }
 
-  // Where rays are beyond all planes, for sure or perhaps, as bits.
+  // How far the ray goes beyond the triangle's plane, or its part begins before it, whichever is less.
+  template <class Parts, class V>
+  HWY_INLINE static V depth_within(V towards, V distance, V begin, V end) {
+    if constexpr (Parts::kHasParts) {
+      return hn::Min(hn::MulSub(towards, end, distance), hn::NegMulAdd(towards, begin, distance));
+    } else {
+      return hn::Sub(towards, distance);
+    }
+  }
+
+  // Where rays are beyond all planes, for sure or perhaps, as bits. `within` as depth_within() gives it.
   template <class Tag, class V>
-  HWY_INLINE static Verdict judge(Tag tag, V u, V v, V towards, V distance, V edge_slack, V own_slack) {
-    const auto least = hn::Min(hn::Min(u, v), hn::Sub(towards, hn::Add(u, v))), beyond = hn::Sub(towards, distance);
+  HWY_INLINE static Verdict judge(Tag tag, V u, V v, V towards, V within, V edge_slack, V own_slack) {
+    const auto least = hn::Min(hn::Min(u, v), hn::Sub(towards, hn::Add(u, v)));
     // NaN is neither less than 0 nor more. Minima may drop it, but not if it comes second, as `least` does.
-    const auto missed = hn::Lt(hn::Min(hn::Add(beyond, own_slack), hn::Add(least, edge_slack)), hn::Zero(tag));
-    const auto met = hn::Gt(hn::Min(hn::Sub(beyond, own_slack), hn::Sub(least, edge_slack)), hn::Zero(tag));
+    const auto missed = hn::Lt(hn::Min(hn::Add(within, own_slack), hn::Add(least, edge_slack)), hn::Zero(tag));
+    const auto met = hn::Gt(hn::Min(hn::Sub(within, own_slack), hn::Sub(least, edge_slack)), hn::Zero(tag));
     return {bits_of(tag, met), ~bits_of(tag, missed)};
   }
 
@@ -168,18 +183,22 @@ class LeafPlanes {
   }
 
   // Of the rays of a chunk, those that some triangle blocks.
-  HWY_INLINE Verdict blocked(const RaySet& rays, int chunk) const {
+  template <class Parts>
+  HWY_INLINE Verdict blocked(const RaySet& rays, const Parts& parts, int chunk) const {
     const RayTag tag;
     Verdict all{0, 0};
     for (int i = 0; i < kLaneCount; i += lane_count(tag)) {
       const int first = chunk * kLaneCount + i;
       const auto x = hn::Load(tag, rays.x + first), y = hn::Load(tag, rays.y + first),
                  z = hn::Load(tag, rays.z + first);
+      const auto begin = parts.begin(tag, first), end = parts.end(tag, first);
       Verdict some{0, 0};
       for (int triangle = 0; triangle < kLeafWidth; ++triangle) {
-        const Verdict one = LeafFrames::judge(tag, dot(u_, triangle, x, y, z), dot(v_, triangle, x, y, z),
-                                              dot(towards_, triangle, x, y, z), hn::Set(tag, distance_[triangle]),
-                                              hn::Set(tag, edge_slack_[triangle]), hn::Set(tag, own_slack_[triangle]));
+        const auto towards = dot(towards_, triangle, x, y, z);
+        const auto within = LeafFrames::depth_within<Parts>(towards, hn::Set(tag, distance_[triangle]), begin, end);
+        const Verdict one =
+            LeafFrames::judge(tag, dot(u_, triangle, x, y, z), dot(v_, triangle, x, y, z), towards, within,
+                              hn::Set(tag, edge_slack_[triangle]), hn::Set(tag, own_slack_[triangle]));
         some.sure |= one.sure;
         some.perhaps |= one.perhaps;
       }

@@ -13,19 +13,20 @@
 #include <hwy/highway.h>
 
 #include "bvh/simd/lanes-inl.h"
-#include "lkao/ambient_occlusion.h"
+#include "bvh/traversal.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace lkao::bvh::HWY_NAMESPACE {
 
 inline constexpr int kMaxChunkCount = kMaxRayCount / kLaneCount;
 
-// The rays of a receiver, component by component, and those that are open: cast and not yet blocked.
+// The rays of a receiver, component by component, and those that are open: not yet blocked.
 class RaySet {
  public:
-  explicit RaySet(const ReceiverRays& rays)
-      : x(rays.x), y(rays.y), z(rays.z), chunk_count(rays.ray_count / kLaneCount) {
-    std::memcpy(open, rays.cast.words, sizeof(open));
+  explicit RaySet(const Query& query)
+      : x(query.rays.x), y(query.rays.y), z(query.rays.z), chunk_count(query.rays.ray_count / kLaneCount) {
+    const ReceiverRays& rays = query.rays;
+    std::memcpy(open, query.open.words, sizeof(open));
     invert(rays.x, rays.ray_count, inverse_x);
     invert(rays.y, rays.ray_count, inverse_y);
     invert(rays.z, rays.ray_count, inverse_z);

@@ -24,10 +24,11 @@ namespace lkao::bvh::HWY_NAMESPACE {
 // Pairs of a ray and a node or leaf that it may meet. Each pair is answered by itself, one ray against 8 boxes or 4
 // triangles, without a branch that depends on the answer: the processor works on many of them at a time, and neither
 // waits for memory nor guesses wrong as it does when it follows one ray after the other.
+template <class Parts>
 class RayStream {
  public:
   RayStream(const Layout& layout, const Query& query, const LeafReceiver& receiver, RaySet& rays)
-      : layout_(layout), query_(query), receiver_(receiver), rays_(rays) {}
+      : layout_(layout), query_(query), receiver_(receiver), rays_(rays), parts_(query) {}
 
   // Adds the rays that may meet a child.
   HWY_INLINE void push(ChildRef child, const ActiveRays& active) {
@@ -131,9 +132,10 @@ class RayStream {
         };
         const auto x0 = at(0, 0, ox, x), x1 = at(1, 0, ox, x), y0 = at(0, 1, oy, y), y1 = at(1, 1, oy, y),
                    z0 = at(0, 2, oz, z), z1 = at(1, 2, oz, z);
-        const auto enter = hn::Max(hn::Max(hn::Min(x0, x1), hn::Min(y0, y1)), hn::Max(hn::Min(z0, z1), hn::Zero(tag)));
+        const auto enter =
+            hn::Max(hn::Max(hn::Min(x0, x1), hn::Min(y0, y1)), hn::Max(hn::Min(z0, z1), parts_.begin_of_one(tag, ray)));
         const auto leave =
-            hn::Min(hn::Min(hn::Max(x0, x1), hn::Max(y0, y1)), hn::Min(hn::Max(z0, z1), hn::Set(tag, 1.0f)));
+            hn::Min(hn::Min(hn::Max(x0, x1), hn::Max(y0, y1)), hn::Min(hn::Max(z0, z1), parts_.end_of_one(tag, ray)));
         const auto met = hn::RebindMask(bits_tag, hn::Le(enter, hn::Mul(leave, hn::Set(tag, 1.0f + kBoxSlack))));
         const auto children = hn::Load(bits_tag, node.child_bits() + i);
         hn::StoreU(hn::Compress(children, met), bits_tag, pairs_.children + count);
@@ -154,7 +156,7 @@ class RayStream {
 
   HWY_INLINE void visit(const LeafReceiver& receiver, const Leaf& leaf, std::uint32_t ray) {
     const LeafFrames frames(receiver, leaf);
-    const Verdict triangles = frames.blocked(rays_.x[ray], rays_.y[ray], rays_.z[ray]);
+    const Verdict triangles = frames.blocked(rays_.x[ray], rays_.y[ray], rays_.z[ray], parts_, ray);
     std::uint32_t blocked = triangles.sure != 0;
     const std::uint32_t in_doubt = static_cast<std::uint32_t>(triangles.perhaps != 0) & ~blocked;
     if (HWY_UNLIKELY(in_doubt != 0)) blocked = resolve(leaf, ray, triangles.perhaps);
@@ -165,7 +167,7 @@ class RayStream {
   HWY_NOINLINE bool resolve(const Leaf& leaf, std::uint32_t ray, std::uint32_t triangles) const {
     for (; triangles != 0; triangles &= triangles - 1) {
       const TriangleTest test = make_test(layout_, leaf.primitives[std::countr_zero(triangles)], query_);
-      if (test.can_block() && test.blocks(query_.rays.ray(static_cast<int>(ray)))) return true;
+      if (test.can_block() && blocks(test, query_, static_cast<int>(ray))) return true;
     }
     return false;
   }
@@ -174,6 +176,7 @@ class RayStream {
   const Query& query_;
   const LeafReceiver& receiver_;
   RaySet& rays_;
+  Parts parts_;
   Pairs pairs_;   // children as ChildRef::bits
   Pairs leaves_;  // children as indices into layout_.leaves
 };

@@ -6,9 +6,11 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
@@ -21,8 +23,9 @@
 namespace lkao {
 
 namespace query {
+struct Level;
 struct PatternLanes;
-}
+}  // namespace query
 
 inline constexpr std::uint32_t kNoPrimitive = 0xffffffffu;
 
@@ -80,6 +83,14 @@ struct QueryOptions {
   Kernel kernel = Kernel::simd;
   // Only for queries with a plane mask table.
   NodeMasks node_masks = NodeMasks::box_outline;
+};
+
+// Occluders that block rays only at some distances: a level of detail. A ray is blocked if its part whose distance from
+// the origin lies in [r_min, r_max] meets one of them (Laine & Karras 2010, Sec. 4.3).
+struct OccluderLevel {
+  OccluderBvh occluders;
+  float r_min = 0;
+  float r_max = std::numeric_limits<float>::infinity();
 };
 
 // The rays that a receiver casts, in world space: segments from `origin` to `origin + ray(i)`.
@@ -140,6 +151,13 @@ class AmbientOcclusion {
   // Throws std::invalid_argument, naming the option and its value, where one is out of range.
   AmbientOcclusion(OccluderBvh occluders, SamplePattern pattern, const QueryOptions& options);
 
+  // Several levels of detail, near ones first is fastest: usually the scene itself from 0 to some distance, and simpler
+  // versions of it farther away. The first is what occluders() returns, what surface_offset is relative to and what
+  // Receiver::excluded_primitive counts. With the same occluders in all levels, and ranges that leave no gap, the
+  // answers are those without levels, bit for bit. Throws std::invalid_argument where there is no level, or a range is
+  // not 0 <= r_min < r_max.
+  AmbientOcclusion(std::vector<OccluderLevel> levels, SamplePattern pattern, const QueryOptions& options);
+
   // Answers with the paper's look-ups instead of ray by ray: the pattern is the table's. With PlaneMasks::must_may the
   // answers are the same bit for bit, with PlaneMasks::nearest they are approximate (lut/README.md has the figures).
   AmbientOcclusion(OccluderBvh occluders, PlaneMaskTable table, const QueryOptions& options);
@@ -157,14 +175,14 @@ class AmbientOcclusion {
   ReceiverRays rays(const Receiver& receiver, std::uint64_t index) const;
   void rays(const Receiver& receiver, std::uint64_t index, ReceiverRays& rays) const;
 
-  const OccluderBvh& occluders() const { return occluders_; }
+  const OccluderBvh& occluders() const;
   const SamplePattern& pattern() const { return pattern_; }
   const QueryOptions& options() const { return options_; }
   // The table of a query by look-ups; null otherwise.
   const PlaneMaskTable* table() const { return table_ ? &*table_ : nullptr; }
 
  private:
-  OccluderBvh occluders_;
+  std::shared_ptr<const std::vector<query::Level>> levels_;
   SamplePattern pattern_;
   QueryOptions options_;
   std::optional<PlaneMaskTable> table_;

@@ -16,6 +16,7 @@
 #include "lut/isa.h"
 #include "query/answer.h"
 #include "query/batch.h"
+#include "query/levels.h"
 #include "query/receiver_rays.h"
 
 namespace lkao {
@@ -36,6 +37,15 @@ void validate(const QueryOptions& options) {
           "finite and at least 0", options.surface_offset);
 }
 
+void validate(const std::vector<OccluderLevel>& levels) {
+  if (levels.empty()) throw std::invalid_argument("levels must be at least one, not 0");
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    const float r_min = levels[i].r_min, r_max = levels[i].r_max;
+    if (r_min >= 0 && r_min < r_max) continue;
+    throw std::invalid_argument(fmt::format("levels[{}] must have 0 <= r_min < r_max, not {} and {}", i, r_min, r_max));
+  }
+}
+
 // Magnitude of the largest coordinate of any occluder; 0 where there is none.
 float largest_coordinate(const OccluderBvh& occluders) {
   if (occluders.report().occluder_count == 0) return 0;
@@ -47,28 +57,52 @@ float largest_coordinate(const OccluderBvh& occluders) {
   return largest;
 }
 
-// Fills `rays` with the rays that the receiver casts and finds those that are blocked, from `root` on down.
-OcclusionMask trace(const AmbientOcclusion& ao, const query::PatternLanes& lanes, float largest_coordinate,
-                    const bvh::Node& root, const Receiver& receiver, std::uint64_t index, ReceiverRays& rays) {
+OcclusionMask trace(const AmbientOcclusion& ao, const query::PatternLanes& lanes, const bvh::Layout& layout,
+                    const bvh::Query& query) {
   const QueryOptions& options = ao.options();
-  query::make_rays(receiver, lanes, options, largest_coordinate, index, rays);
-  if (!rays.cast.any()) return {};
-  const bvh::Query query{root, rays, options.radius, options.sidedness, receiver.excluded_primitive};
-  const bvh::Layout& layout = ao.occluders().layout();
   if (ao.table()) return bvh::trace_table(layout, query, *ao.table(), options.node_masks);
   return options.kernel == Kernel::simd ? bvh::trace_simd(layout, query, lanes.cones)
                                         : bvh::trace_scalar(layout, query);
 }
 
+// Finds the rays that some level blocks. `root_of(level)` is where to enter its hierarchy.
+template <typename RootOf>
+OcclusionMask trace_levels(const AmbientOcclusion& ao, const query::PatternLanes& lanes,
+                           const std::vector<query::Level>& levels, const RootOf& root_of,
+                           std::uint32_t excluded_primitive, const ReceiverRays& rays) {
+  const auto trace_level = [&](std::size_t i, const OcclusionMask& open) {
+    const bvh::Query query{.root = root_of(i),
+                           .rays = rays,
+                           .open = open,
+                           .radius = ao.options().radius,
+                           .sidedness = ao.options().sidedness,
+                           .excluded_primitive = i == 0 ? excluded_primitive : kNoPrimitive,
+                           .parts = levels[i].parts ? &*levels[i].parts : nullptr};
+    return trace(ao, lanes, levels[i].occluders.layout(), query);
+  };
+  if (!rays.cast.any()) return {};
+  if (levels.size() == 1 && !levels[0].parts) return trace_level(0, rays.cast);
+  OcclusionMask blocked;
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    OcclusionMask open = rays.cast & ~blocked;
+    if (levels[i].parts) open = open & levels[i].parts->existing;
+    if (open.any()) blocked = blocked | trace_level(i, open);
+  }
+  return blocked;
+}
+
 }  // namespace
 
 AmbientOcclusion::AmbientOcclusion(OccluderBvh occluders, SamplePattern pattern, const QueryOptions& options)
-    : occluders_(std::move(occluders)),
-      pattern_(std::move(pattern)),
-      options_(options),
-      lanes_(std::make_shared<query::PatternLanes>(pattern_)),
-      largest_coordinate_(largest_coordinate(occluders_)) {
+    : AmbientOcclusion(std::vector{OccluderLevel{std::move(occluders)}}, std::move(pattern), options) {}
+
+AmbientOcclusion::AmbientOcclusion(std::vector<OccluderLevel> levels, SamplePattern pattern,
+                                   const QueryOptions& options)
+    : pattern_(std::move(pattern)), options_(options), lanes_(std::make_shared<query::PatternLanes>(pattern_)) {
   validate(options_);
+  validate(levels);
+  levels_ = std::make_shared<std::vector<query::Level>>(query::make_levels(levels, pattern_, options_.radius));
+  largest_coordinate_ = largest_coordinate(occluders());
   lut::obey_isa_environment();
 }
 
@@ -79,8 +113,11 @@ AmbientOcclusion::AmbientOcclusion(OccluderBvh occluders, PlaneMaskTable table, 
 
 ReceiverOcclusion AmbientOcclusion::query(const Receiver& receiver, std::uint64_t index) const {
   ReceiverRays rays;
-  const OcclusionMask blocked =
-      trace(*this, *lanes_, largest_coordinate_, occluders_.layout().root(), receiver, index, rays);
+  this->rays(receiver, index, rays);
+  const auto root_of = [&](std::size_t level) -> const bvh::Node& {
+    return (*levels_)[level].occluders.layout().root();
+  };
+  const OcclusionMask blocked = trace_levels(*this, *lanes_, *levels_, root_of, receiver.excluded_primitive, rays);
   return query::make_answer(pattern_, receiver, rays, blocked);
 }
 
@@ -88,11 +125,18 @@ QueryReport AmbientOcclusion::query(std::span<const Receiver> receivers, const Q
                                     std::uint64_t first_index) const {
   const auto answer_part = [&](std::size_t first, std::size_t last, const auto& take) {
     const std::span<const Receiver> part = receivers.subspan(first, last - first);
-    const bvh::Node root = bvh::make_entry_node(
-        occluders_.layout(), query::bounds_of_origins(part, options_, largest_coordinate_), options_.radius);
+    const Bounds origins = query::bounds_of_origins(part, options_, largest_coordinate_);
+    std::vector<bvh::Node> roots;
+    for (const query::Level& level : *levels_) {
+      const float far = level.parts ? level.parts->far : options_.radius;
+      roots.push_back(bvh::make_entry_node(level.occluders.layout(), origins, far));
+    }
+    const auto root_of = [&](std::size_t level) -> const bvh::Node& { return roots[level]; };
     ReceiverRays rays;
     for (std::size_t k = first; k < last; ++k) {
-      take(k, rays, trace(*this, *lanes_, largest_coordinate_, root, receivers[k], first_index + k, rays));
+      this->rays(receivers[k], first_index + k, rays);
+      const std::uint32_t excluded = receivers[k].excluded_primitive;
+      take(k, rays, trace_levels(*this, *lanes_, *levels_, root_of, excluded, rays));
     }
   };
   return query::run_batch(pattern_, receivers, outputs, answer_part);
@@ -107,5 +151,7 @@ ReceiverRays AmbientOcclusion::rays(const Receiver& receiver, std::uint64_t inde
 void AmbientOcclusion::rays(const Receiver& receiver, std::uint64_t index, ReceiverRays& rays) const {
   query::make_rays(receiver, *lanes_, options_, largest_coordinate_, index, rays);
 }
+
+const OccluderBvh& AmbientOcclusion::occluders() const { return levels_->front().occluders; }
 
 }  // namespace lkao

@@ -78,12 +78,12 @@ TEST(BoxTest, NeverDropsAHit) {
 TEST(BoxTest, OutOfReachIsFarOrBelow) {
   const Bounds box{{1, 1, 1}, {2, 2, 2}};
   const glm::vec3 up(0, 1, 0);
-  EXPECT_FALSE(is_out_of_reach(box, glm::vec3(0), up, 1.7321f));
-  EXPECT_TRUE(is_out_of_reach(box, glm::vec3(0), up, 1.73f));
-  EXPECT_FALSE(is_out_of_reach(box, {0, 1.99f, 0}, up, 10));
-  EXPECT_TRUE(is_out_of_reach(box, {0, 2.01f, 0}, up, 10));
-  EXPECT_FALSE(is_out_of_reach(box, {0, 2, 0}, up, 10)) << "touches the horizon";
-  EXPECT_FALSE(is_out_of_reach(box, {1.5f, 1.5f, 1.5f}, up, 1e-3f)) << "origin inside";
+  EXPECT_FALSE(is_out_of_reach(box, glm::vec3(0), up, 0, 1.7321f));
+  EXPECT_TRUE(is_out_of_reach(box, glm::vec3(0), up, 0, 1.73f));
+  EXPECT_FALSE(is_out_of_reach(box, {0, 1.99f, 0}, up, 0, 10));
+  EXPECT_TRUE(is_out_of_reach(box, {0, 2.01f, 0}, up, 0, 10));
+  EXPECT_FALSE(is_out_of_reach(box, {0, 2, 0}, up, 0, 10)) << "touches the horizon";
+  EXPECT_FALSE(is_out_of_reach(box, {1.5f, 1.5f, 1.5f}, up, 0, 1e-3f)) << "origin inside";
 }
 
 }  // namespace
