@@ -10,8 +10,8 @@
 namespace lkao::bvh {
 
 // Which of the cast rays are blocked: exactly with a must/may table, where only the rays in doubt are tested one by
-// one, approximately with nearest cells. The rays of the query are the table's pattern, turned, and whole. Allocates nothing; any
-// thread.
+// one, approximately with nearest cells. The rays of the query are the table's pattern, turned, and whole. Allocates
+// nothing; any thread.
 OcclusionMask trace_table(const Layout& layout, const Query& query, const PlaneMaskTable& table, NodeMasks node_masks);
 
 }  // namespace lkao::bvh
