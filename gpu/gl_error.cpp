@@ -65,4 +65,9 @@ void require_context() {
   }
 }
 
+void require_clean_context() {
+  require_context();
+  check_errors("something before lkao was called");
+}
+
 }  // namespace lkao::gl

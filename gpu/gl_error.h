@@ -13,4 +13,7 @@ bool has_context();
 // Throws where no context is current, or one that is older than OpenGL 4.5.
 void require_context();
 
+// Before each call of a pass: a context, and no error of somebody else's that would be taken for one of ours.
+void require_clean_context();
+
 }  // namespace lkao::gl

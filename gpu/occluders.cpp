@@ -111,8 +111,8 @@ void Occluders::set(std::span<const glm::vec3> positions, std::span<const glm::u
   require_limit("triangles", triangles.size(),
                 std::min(static_cast<std::size_t>(texels) / 2, static_cast<std::size_t>(block_size) / 32));
 
-  position_count_ = positions.size();
-  triangle_count_ = triangles.size();
+  // None, should there be too little memory for them.
+  position_count_ = triangle_count_ = 0;
   const auto count = static_cast<GLsizeiptr>(triangles.size());
   positions_ = make_buffer_of(positions, GL_DYNAMIC_STORAGE_BIT);
   triangles_ = make_buffer_of(triangles, 0);
@@ -125,6 +125,8 @@ void Occluders::set(std::span<const glm::vec3> positions, std::span<const glm::u
   prisms_texture_ = make_buffer_texture(GL_R32UI, prisms_);
   billboards_texture_ = make_buffer_texture(GL_R32UI, billboards_);
   check_errors("copying the occluders");
+  position_count_ = positions.size();
+  triangle_count_ = triangles.size();
 }
 
 void Occluders::update(std::span<const glm::vec3> positions) {

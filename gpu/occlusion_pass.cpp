@@ -28,16 +28,10 @@ void validate(const DrawOptions& options) {
   require(options.billboard_threshold >= 0, "billboard_threshold", "at least 0", options.billboard_threshold);
 }
 
-// Before each call: a context, and no error of somebody else's that would be taken for one of ours.
-void begin() {
-  require_context();
-  check_errors("something before lkao was called");
-}
-
 }  // namespace
 
 OcclusionPass::OcclusionPass(const PassSetup& setup) {
-  begin();
+  require_clean_context();
   const StateKeeper keeper;
   state_ = std::make_unique<State>(setup);
   check_errors("making an OcclusionPass");
@@ -48,19 +42,19 @@ OcclusionPass::OcclusionPass(OcclusionPass&&) noexcept = default;
 OcclusionPass& OcclusionPass::operator=(OcclusionPass&&) noexcept = default;
 
 void OcclusionPass::set_occluders(std::span<const glm::vec3> positions, std::span<const glm::uvec3> triangles) {
-  begin();
+  require_clean_context();
   state_->occluders.set(positions, triangles);
 }
 
 void OcclusionPass::update_positions(std::span<const glm::vec3> positions) {
-  begin();
+  require_clean_context();
   state_->occluders.update(positions);
 }
 
 ObjectName OcclusionPass::positions_buffer() const { return state_->occluders.positions_buffer(); }
 
 void OcclusionPass::set_table(const PlaneMaskTable& table) {
-  begin();
+  require_clean_context();
   const StateKeeper keeper;
   TableBuffer buffer(table);
   const PassSetup& setup = state_->setup;
@@ -76,7 +70,7 @@ void OcclusionPass::set_table(const PlaneMaskTable& table) {
 }
 
 void OcclusionPass::draw(const GBuffer& g_buffer, const Camera& camera, const DrawOptions& options) {
-  begin();
+  require_clean_context();
   validate(options);
   validate(g_buffer);
   if (!state_->table) throw std::runtime_error("draw() needs a plane mask table: call set_table() first");
@@ -89,6 +83,7 @@ void OcclusionPass::draw(const GBuffer& g_buffer, const Camera& camera, const Dr
     state_->targets =
         Targets(g_buffer.width, g_buffer.height, layer_count, state_->setup.accumulator == Accumulator::ssbo);
   }
+  state_->wait_for_last_frame();
   state_->set_uniforms(g_buffer, camera, options);
   state_->bind_uniforms();
   state_->occluders.classify(state_->classify.name(), options.two_sided);
@@ -101,7 +96,7 @@ void OcclusionPass::draw(const GBuffer& g_buffer, const Camera& camera, const Dr
 }
 
 void OcclusionPass::resolve(const ResolveTargets& targets) {
-  begin();
+  require_clean_context();
   state_->require_drawn();
   validate(targets, state_->targets.width(), state_->targets.height());
   const StateKeeper keeper;
@@ -116,6 +111,8 @@ void OcclusionPass::resolve(const ResolveTargets& targets) {
     uniforms.flags.x |= LKAO_FLAG_WRITE_BENT_NORMALS;
     glBindImageTexture(1, targets.bent_normals, 0, GL_FALSE, 0, GL_WRITE_ONLY, format_of(targets.bent_normals));
   }
+  // Whoever reads or draws to the targets comes first.
+  glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
   state_->bind_uniforms();
   state_->table->bind();
   glBindTextureUnit(LKAO_UNIT_RECEIVERS, state_->targets.receivers());

@@ -34,7 +34,7 @@ OcclusionPass::State::State(const PassSetup& wanted) : setup(wanted) {
   setup.geometry = choose(wanted.geometry);
   setup.accumulator = choose(wanted.accumulator);
   uniform_buffer = make_buffer(sizeof(PassUniforms), nullptr, GL_DYNAMIC_STORAGE_BIT);
-  counters = make_buffer(12, nullptr, GL_DYNAMIC_STORAGE_BIT);
+  counters = make_buffer(24, nullptr, GL_DYNAMIC_STORAGE_BIT);
   sampler = make_plain_sampler();
   no_attributes = make_vertex_array();
   classify = make_program({"classify.comp"});
@@ -42,6 +42,13 @@ OcclusionPass::State::State(const PassSetup& wanted) : setup(wanted) {
   depth = make_program({"screen.vert", "depth.frag"});
   cast = make_program({"cast.comp"});
   resolve = make_program({"resolve.comp"});
+}
+
+// By themselves, writes of shaders wait for nothing that came before, and clears and copies do not wait for writes of
+// shaders: the last frame may still be reading what this one is about to write.
+void OcclusionPass::State::wait_for_last_frame() const {
+  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT |
+                  GL_TEXTURE_UPDATE_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT | GL_ATOMIC_COUNTER_BARRIER_BIT);
 }
 
 void OcclusionPass::State::set_uniforms(const GBuffer& g_buffer, const Camera& camera, const DrawOptions& options) {
@@ -79,7 +86,7 @@ void OcclusionPass::State::find_receivers() {
   glUseProgram(receivers.name());
   glBindImageTexture(0, targets.receivers(), 0, GL_TRUE, 0, GL_WRITE_ONLY, GL_RGBA32F);
   dispatch_over_pixels();
-  glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+  glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
   glBindTextureUnit(LKAO_UNIT_RECEIVERS, targets.receivers());
 }
 
@@ -103,7 +110,7 @@ void OcclusionPass::State::draw_shapes(const Camera& camera) {
   table->bind();
   occluders.bind();
   if (setup.count_fragments) {
-    const GLuint zeros[3] = {0, 0, 0};
+    const GLuint zeros[6] = {};
     glNamedBufferSubData(counters.name(), 0, sizeof(zeros), zeros);
     glBindBufferBase(GL_ATOMIC_COUNTER_BUFFER, 0, counters.name());
   }

@@ -17,6 +17,7 @@ struct OcclusionPass::State {
   explicit State(const PassSetup& setup);
 
   // The steps of a frame, in their order.
+  void wait_for_last_frame() const;
   void set_uniforms(const GBuffer& g_buffer, const Camera& camera, const DrawOptions& options);
   void find_receivers();
   void draw_depths();

@@ -26,7 +26,7 @@ std::uint64_t word_of(std::uint32_t low, std::uint32_t high) { return low | std:
 }  // namespace
 
 std::vector<std::uint64_t> OcclusionPass::read_masks() {
-  require_context();
+  require_clean_context();
   state_->require_drawn();
   const StateKeeper keeper;
   const Targets& targets = state_->targets;
@@ -46,7 +46,7 @@ std::vector<std::uint64_t> OcclusionPass::read_masks() {
 }
 
 std::vector<PixelReceiver> OcclusionPass::read_receivers() {
-  require_context();
+  require_clean_context();
   state_->require_drawn();
   const StateKeeper keeper;
   const Targets& targets = state_->targets;
@@ -70,14 +70,14 @@ std::vector<PixelReceiver> OcclusionPass::read_receivers() {
 }
 
 FragmentCounts OcclusionPass::read_fragment_counts() {
-  require_context();
+  require_clean_context();
   state_->require_drawn();
   if (!state_->setup.count_fragments) return {};
-  std::array<GLuint, 3> counts{};
+  std::array<GLuint, 6> counts{};
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
   glGetNamedBufferSubData(state_->counters.name(), 0, sizeof(counts), counts.data());
   check_errors("reading the counters");
-  return {counts[0], counts[1], counts[2]};
+  return {word_of(counts[0], counts[1]), word_of(counts[2], counts[3]), word_of(counts[4], counts[5])};
 }
 
 }  // namespace lkao::gl

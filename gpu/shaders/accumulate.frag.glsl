@@ -17,12 +17,17 @@
 layout(early_fragment_tests) in;
 
 #if LKAO_COUNT
+// Of each number the low and the high 32 bits: a frame may well have more than 2^32 fragments.
 layout(binding = 0, offset = 0) uniform atomic_uint drawn_count;
-layout(binding = 0, offset = 4) uniform atomic_uint survivor_count;
-layout(binding = 0, offset = 8) uniform atomic_uint mask_count;
-#define COUNT(counter) atomicCounterIncrement(counter)
+layout(binding = 0, offset = 4) uniform atomic_uint drawn_carry;
+layout(binding = 0, offset = 8) uniform atomic_uint survivor_count;
+layout(binding = 0, offset = 12) uniform atomic_uint survivor_carry;
+layout(binding = 0, offset = 16) uniform atomic_uint mask_count;
+layout(binding = 0, offset = 20) uniform atomic_uint mask_carry;
+#define COUNT(low, high) \
+  if (atomicCounterIncrement(low) == 0xffffffffu) atomicCounterIncrement(high)
 #else
-#define COUNT(counter)
+#define COUNT(low, high)
 #endif
 
 #if LKAO_ATOMICS
@@ -116,15 +121,15 @@ void main() {
   vec4 receiver = texelFetch(receivers, ivec3(pixel, LKAO_RECEIVER_ORIGIN), 0);
   vec3 origin = receiver.xyz;
   if (receiver.w < 0.1 * LKAO_NO_RECEIVER) discard;
-  COUNT(drawn_count);
+  COUNT(drawn_count, drawn_carry);
   if (is_culled_by_place(origin, receiver.w)) discard;
   Frame frame = fetch_frame(pixel);
   if (is_culled_by_horizon(origin, frame.up)) discard;
-  COUNT(survivor_count);
+  COUNT(survivor_count, survivor_carry);
   if (has_flag(LKAO_FLAG_CULL_REACH) && !is_in_reach(origin)) discard;
   Planes planes;
   if (!make_planes(shape.a, shape.b, shape.c, shape.normal, origin, planes)) discard;
-  COUNT(mask_count);
+  COUNT(mask_count, mask_carry);
   Masks masks = look_up(planes, frame);
   if (is_empty(masks)) discard;
 #if LKAO_MUST_MAY

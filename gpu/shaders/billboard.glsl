@@ -73,8 +73,12 @@ vec4 billboard_vertex(Occluder o, int polygon, int vertex) {
   // Corners come in pairs, one on each side of the figure's axis, so that where any is cut off, both ends of the line stay.
   float turn = kTwelfth * (float(vertex) + 0.5);
   vec2 direction = vec2(cos(turn), sin(turn));
+  // "We correct their depth so that the billboard appears to be located just behind the sphere of influence."
+  float depth = distance_along_view(o.sphere.xyz) + h.radius;
+  // The camera is well outside of the sphere, or this were a prism (classify.comp), but perhaps not of its margin: then
+  // there is no outline, and the whole screen will do.
+  if (h.outline_back > 0.9 * h.radius) return vec4(2.0 * direction, depth_at(depth), 1.0);
   vec3 place = polygon == 0 ? outline_vertex(h, direction, has_flag(LKAO_FLAG_TWO_SIDED))
                             : base_vertex(h, o.normal, direction);
-  // "We correct their depth so that the billboard appears to be located just behind the sphere of influence."
-  return to_clip_at(o.sphere.xyz + place, distance_along_view(o.sphere.xyz) + h.radius);
+  return to_clip_at(o.sphere.xyz + place, depth);
 }
