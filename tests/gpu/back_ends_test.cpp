@@ -5,8 +5,7 @@
 #include <limits>
 #include <vector>
 
-#include "gpu/on_software.h"
-#include "gpu/pass_scene.h"
+#include "gpu/in_furnished_room.h"
 #include "gpu/self_test.h"
 #include "gpu/state_keeper.h"
 
@@ -16,25 +15,12 @@ namespace {
 constexpr int kWidth = 128;
 constexpr int kHeight = 96;
 
-class BackEnds : public OnSoftware {
+class BackEnds : public InFurnishedRoom<kWidth, kHeight> {
  protected:
-  void SetUp() override {
-    OnSoftware::SetUp();
-    if (IsSkipped()) return;
-    mesh_ = furnished_room();
-    camera_ = room_camera(kWidth, kHeight);
-    g_buffer_ = std::make_unique<GBufferPass>(mesh_, camera_, kWidth, kHeight);
-  }
-  void TearDown() override { g_buffer_.reset(); }
-
   std::vector<std::uint64_t> draw(OcclusionPass& pass, const DrawOptions& options) const {
     pass.draw(g_buffer_->by_positions(), camera_, options);
     return pass.read_masks();
   }
-
-  Mesh mesh_;
-  Camera camera_;
-  std::unique_ptr<GBufferPass> g_buffer_;
 };
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
@@ -79,6 +65,28 @@ TEST_F(BackEnds, ShapesOnlyBoundTheInfluence) {
         EXPECT_EQ(prism_fragments.masks, billboard_fragments.masks);
       }
     }
+  }
+}
+
+TEST_F(BackEnds, ShapesMayHaveMarginsAsLargeAsTheRadius) {
+  // A far corner and a large surface offset: rounding may take as much as the radius. Small triangles near the eye.
+  Mesh mesh = lkao::tests::random_soup(300, 0.1f, 3);
+  for (glm::vec3& position : mesh.positions) position = 0.3f * position + glm::vec3(0.25f, 1.85f, 3.1f);
+  const auto first = static_cast<unsigned>(mesh.positions.size());
+  mesh.positions.insert(mesh.positions.end(), {{1000, 0, 0}, {1000, 1, 0}, {1000, 0, 1}});
+  mesh.triangles.emplace_back(first, first + 1, first + 2);
+  const GBufferPass g_buffer(mesh, camera_, kWidth, kHeight);
+  const PlaneMaskTable table(SamplePattern::standard(64), {.resolution = 48, .masks = PlaneMasks::nearest});
+  OcclusionPass pass = make_pass(mesh, table);
+  std::vector<std::uint64_t> masks[2];
+  for (const bool two_sided : {false, true}) {
+    for (const float threshold : {0.0f, kInfinity}) {
+      pass.draw(g_buffer.by_positions(), camera_,
+                {.radius = 0.1f, .two_sided = two_sided, .surface_offset = 1000.0f, .billboard_threshold = threshold});
+      masks[threshold > 0] = pass.read_masks();
+    }
+    EXPECT_GT(count_bits(masks[0]), 1000u);
+    EXPECT_EQ(count_differences(masks[0], masks[1]), 0u) << "two-sided " << two_sided;
   }
 }
 

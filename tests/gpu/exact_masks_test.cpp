@@ -1,17 +1,12 @@
 // With a must/may table the pass gives the CPU's masks: at the same receivers, for all rays but those within rounding.
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <bit>
-#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <string>
-#include <tuple>
 #include <vector>
 
-#include "gpu/on_software.h"
-#include "gpu/pass_scene.h"
+#include "gpu/in_furnished_room.h"
 #include "gpu/rounding.h"
 
 namespace lkao::gl::tests {
@@ -19,20 +14,11 @@ namespace {
 
 constexpr int kWidth = 192;
 constexpr int kHeight = 144;
-// Of the distances in play; float has 6e-8.
-constexpr double kRounding = 2e-6;
 constexpr double kLargestShare = 1e-4;
 
-class ExactMasks : public OnSoftware {
+class ExactMasks : public InFurnishedRoom<kWidth, kHeight> {
  protected:
-  void SetUp() override {
-    OnSoftware::SetUp();
-    if (IsSkipped()) return;
-    mesh_ = furnished_room();
-    camera_ = room_camera(kWidth, kHeight);
-  }
-
-  // All differences from the CPU, each explained; returns how many.
+  // Few differences from the CPU, and each explained.
   void expect_close(const std::vector<std::uint64_t>& masks, const std::vector<Receiver>& receivers,
                     const SamplePattern& pattern, const DrawOptions& options) {
     const QueryOptions query = query_options(options);
@@ -40,69 +26,43 @@ class ExactMasks : public OnSoftware {
     const std::uint64_t difference_count = count_differences(masks, expected), bit_count = count_bits(expected);
     ASSERT_GT(bit_count, masks.size() * 3) << "the scene has too little occlusion to tell anything";
     EXPECT_LE(static_cast<double>(difference_count), kLargestShare * static_cast<double>(masks.size() * 64));
-    EXPECT_EQ(count_unexplained(masks, expected, receivers, pattern, query), 0u) << "of " << difference_count;
+    EXPECT_EQ(count_unexplained(mesh_.view(), masks, expected, receivers, pattern, query), 0u)
+        << "of " << difference_count;
     RecordProperty("differing_rays_" + std::to_string(record_count_++),
                    std::to_string(difference_count) + " of " + std::to_string(masks.size() * 64));
   }
 
-  std::uint64_t count_unexplained(const std::vector<std::uint64_t>& a, const std::vector<std::uint64_t>& b,
-                                  const std::vector<Receiver>& receivers, const SamplePattern& pattern,
-                                  const QueryOptions& options) {
-    const AmbientOcclusion ao(OccluderBvh(mesh_.view()), pattern, options);
-    const auto words = static_cast<std::size_t>(pattern.word_count());
-    std::uint64_t count = 0;
-    for (std::size_t i = 0; i < a.size(); ++i) {
-      if (a[i] == b[i]) continue;
-      const ReceiverRays rays = ao.rays(receivers[i / words], i / words);
-      for (std::uint64_t bits = a[i] ^ b[i]; bits != 0; bits &= bits - 1) {
-        const int ray = static_cast<int>(i % words) * 64 + std::countr_zero(bits);
-        count += !is_explained(rays.origin, rays.ray(ray));
-      }
-    }
-    return count;
-  }
-
-  bool is_explained(const glm::vec3& origin, const glm::vec3& ray) const {
-    return std::any_of(mesh_.triangles.begin(), mesh_.triangles.end(), [&](const glm::uvec3& t) {
-      return is_close_call(mesh_.positions[t.x], mesh_.positions[t.y], mesh_.positions[t.z], origin, ray, kRounding);
-    });
-  }
-
-  Mesh mesh_;
-  Camera camera_;
   int record_count_ = 0;
 };
 
 TEST_F(ExactMasks, AreTheCpusInFloat) {
-  const GBufferPass g_buffer(mesh_, camera_, kWidth, kHeight);
   const PlaneMaskTable table(SamplePattern::standard(128), {.resolution = 64});
   OcclusionPass pass = make_pass(mesh_, table);
   for (const bool two_sided : {true, false}) {
     for (const float radius : {0.15f, 0.8f, 3.0f}) {
       SCOPED_TRACE(testing::Message() << "two-sided " << two_sided << ", radius " << radius);
       const DrawOptions options{.radius = radius, .two_sided = two_sided, .seed = 3};
-      pass.draw(g_buffer.by_positions(), camera_, options);
+      pass.draw(g_buffer_->by_positions(), camera_, options);
       const std::vector<std::uint64_t> masks = pass.read_masks();
       if (radius < 0.5f) {
         // Too few rays are blocked for expect_close.
-        const auto expected = cpu_masks(mesh_, g_buffer.receivers(), table.pattern(), query_options(options));
+        const auto expected = cpu_masks(mesh_, g_buffer_->receivers(), table.pattern(), query_options(options));
         EXPECT_LT(count_differences(masks, expected), 100u);
         EXPECT_GT(count_bits(expected), 1000u);
         continue;
       }
-      expect_close(masks, g_buffer.receivers(), table.pattern(), options);
+      expect_close(masks, g_buffer_->receivers(), table.pattern(), options);
     }
   }
 }
 
 TEST_F(ExactMasks, AreTheCpusBitForBitInDouble) {
-  const GBufferPass g_buffer(mesh_, camera_, kWidth, kHeight);
   for (const PlaneAddressing addressing : {PlaneAddressing::slices, PlaneAddressing::cube}) {
     const PlaneMaskTable table(SamplePattern::standard(128), {.resolution = 48, .addressing = addressing});
     OcclusionPass pass = make_pass(mesh_, table, {.precision = Precision::double_precision});
     const DrawOptions options{.radius = 1.0f, .seed = 11};
-    pass.draw(g_buffer.by_positions(), camera_, options);
-    const auto expected = cpu_masks(mesh_, g_buffer.receivers(), table.pattern(), query_options(options));
+    pass.draw(g_buffer_->by_positions(), camera_, options);
+    const auto expected = cpu_masks(mesh_, g_buffer_->receivers(), table.pattern(), query_options(options));
     // A frame may differ in its last bit, where two doubles round to float differently.
     const std::uint64_t difference_count = count_differences(pass.read_masks(), expected);
     EXPECT_LE(difference_count, 2u);
@@ -111,8 +71,7 @@ TEST_F(ExactMasks, AreTheCpusBitForBitInDouble) {
 }
 
 TEST_F(ExactMasks, FollowFalloffTiltAndGeometricNormals) {
-  const GBufferPass g_buffer(mesh_, camera_, kWidth, kHeight);
-  std::vector<Receiver> receivers = g_buffer.receivers();
+  std::vector<Receiver> receivers = g_buffer_->receivers();
   std::vector<glm::vec4> bumpy;
   lut::RandomStream random(9);
   for (Receiver& receiver : receivers) {
@@ -122,7 +81,7 @@ TEST_F(ExactMasks, FollowFalloffTiltAndGeometricNormals) {
     bumpy.emplace_back(receiver.normal, 0.0f);
   }
   const Texture shading_normals = make_image(GL_RGBA32F, kWidth, kHeight, &bumpy[0].x);
-  GBuffer textures = g_buffer.by_positions();
+  GBuffer textures = g_buffer_->by_positions();
   textures.geometric_normals = textures.normals;
   textures.normals = shading_normals.name();
 

@@ -6,11 +6,11 @@
 #include <array>
 #include <cstdint>
 #include <future>
-#include <memory>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "gpu/on_software.h"
 #include "lkao/gl.h"
 
 namespace lkao::gl {
@@ -19,22 +19,8 @@ namespace {
 using Pixel = std::array<std::uint32_t, 4>;
 constexpr int kSize = 64;
 
-// Tests with a context on the CPU, which every machine with Mesa has.
-class HeadlessContextOnSoftware : public ::testing::Test {
- protected:
-  void SetUp() override {
-    try {
-      context_ = std::make_unique<HeadlessContext>(Device::software);
-    } catch (const std::runtime_error& error) {
-      GTEST_SKIP() << "OpenGL is NOT tested on this machine: " << error.what() << "; install libgl1-mesa-dri";
-    }
-    context_->make_current();
-  }
-
-  std::unique_ptr<HeadlessContext> context_;
-};
-
-class IntegerTarget : public HeadlessContextOnSoftware {};
+class HeadlessContextOnSoftware : public tests::OnSoftware {};
+class IntegerTarget : public tests::OnSoftware {};
 
 // A framebuffer with one RGBA32UI texture, bound for drawing and reading.
 class MaskTarget {

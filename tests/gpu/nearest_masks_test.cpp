@@ -13,8 +13,7 @@
 #include "bvh/triangle_culls.h"
 #include "bvh/triangle_test.h"
 #include "gpu/cpu_rays.h"
-#include "gpu/on_software.h"
-#include "gpu/pass_scene.h"
+#include "gpu/in_furnished_room.h"
 
 namespace lkao::gl::tests {
 namespace {
@@ -36,7 +35,7 @@ double distance_to(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c
   return std::min({distance_to_segment(a, b), distance_to_segment(b, c), distance_to_segment(c, a)});
 }
 
-class NearestMasks : public OnSoftware {
+class NearestMasks : public InFurnishedRoom<kWidth, kHeight> {
  protected:
   // Every triangle's look-ups, where the receiver is within its reach.
   static OcclusionMask look_up_all(const Mesh& mesh, const PlaneMaskTable& table, const ReceiverRays& rays,
@@ -79,18 +78,15 @@ class NearestMasks : public OnSoftware {
 };
 
 TEST_F(NearestMasks, AreTheCpusLookUps) {
-  const Mesh mesh = furnished_room();
-  const Camera camera = room_camera(kWidth, kHeight);
-  const GBufferPass g_buffer(mesh, camera, kWidth, kHeight);
   for (const PlaneAddressing addressing : {PlaneAddressing::slices, PlaneAddressing::cube}) {
     const PlaneMaskTable table(SamplePattern::standard(128), {64, addressing, PlaneMasks::nearest});
     for (const Precision precision : {Precision::single_precision, Precision::double_precision}) {
-      OcclusionPass pass = make_pass(mesh, table, {.precision = precision});
+      OcclusionPass pass = make_pass(mesh_, table, {.precision = precision});
       const bool two_sided = addressing == PlaneAddressing::slices;
       const DrawOptions options{.radius = 0.8f, .two_sided = two_sided, .seed = 5};
-      pass.draw(g_buffer.by_positions(), camera, options);
+      pass.draw(g_buffer_->by_positions(), camera_, options);
       const auto masks = pass.read_masks();
-      const auto expected = look_up_all(mesh, table, pass.read_receivers(), options);
+      const auto expected = look_up_all(mesh_, table, pass.read_receivers(), options);
       // Where a plane lies on the border of two cells, rounding decides between them.
       const double share = share_of_equal_pixels(masks, expected, table.pattern().word_count());
       EXPECT_GE(share, precision == Precision::double_precision ? 0.9998 : 0.995);
@@ -102,15 +98,12 @@ TEST_F(NearestMasks, AreTheCpusLookUps) {
 }
 
 TEST_F(NearestMasks, AreNearTheExactOnes) {
-  const Mesh mesh = furnished_room();
-  const Camera camera = room_camera(kWidth, kHeight);
-  const GBufferPass g_buffer(mesh, camera, kWidth, kHeight);
   const PlaneMaskTable table(SamplePattern::standard(128), {.resolution = 128, .masks = PlaneMasks::nearest});
-  OcclusionPass pass = make_pass(mesh, table);
+  OcclusionPass pass = make_pass(mesh_, table);
   const DrawOptions options{.radius = 0.8f};
-  pass.draw(g_buffer.by_positions(), camera, options);
+  pass.draw(g_buffer_->by_positions(), camera_, options);
   const auto masks = pass.read_masks();
-  const auto exact = cpu_masks(mesh, g_buffer.receivers(), table.pattern(), query_options(options));
+  const auto exact = cpu_masks(mesh_, g_buffer_->receivers(), table.pattern(), query_options(options));
   double error = 0;
   std::size_t same_count = 0;
   for (std::size_t i = 0; i < masks.size(); i += 2) {
@@ -128,8 +121,8 @@ TEST_F(NearestMasks, AreNearTheExactOnes) {
 
   // The CPU's query by the same table also drops nodes by nearest cells: alike, not the same.
   std::vector<std::uint64_t> query_masks(masks.size());
-  AmbientOcclusion(OccluderBvh(mesh.view()), table, query_options(options))
-      .query(g_buffer.receivers(), {.mask_words = query_masks});
+  AmbientOcclusion(OccluderBvh(mesh_.view()), table, query_options(options))
+      .query(g_buffer_->receivers(), {.mask_words = query_masks});
   const auto difference = static_cast<double>(count_differences(masks, query_masks));
   EXPECT_LT(difference / static_cast<double>(masks.size() * 64), 2e-3);
   RecordProperty("unlike_the_query", std::to_string(difference / static_cast<double>(masks.size() * 64)));

@@ -158,7 +158,10 @@ TEST_F(PassErrors, NameWhatIsWrongWithTheMesh) {
 TEST_F(PassErrors, NameAnErrorOfSomebodyElse) {
   OcclusionPass pass = ready_pass();
   glEnable(GL_TEXTURE_2D_ARRAY);
-  expect_error<std::runtime_error>("GL_INVALID_ENUM", [&] { pass.update_positions({}); });
+  expect_error<std::runtime_error>("GL_INVALID_ENUM while something before", [&] { pass.update_positions({}); });
+  pass.draw(g_buffer(), room_camera(kSize, kSize), {.radius = 1.0f});
+  glEnable(GL_TEXTURE_2D_ARRAY);
+  expect_error<std::runtime_error>("GL_INVALID_ENUM while something before", [&] { pass.read_masks(); });
   EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
 }
 

@@ -10,8 +10,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "gpu/on_software.h"
-#include "gpu/pass_scene.h"
+#include "gpu/in_furnished_room.h"
 
 namespace lkao::gl::tests {
 namespace {
@@ -19,17 +18,8 @@ namespace {
 constexpr int kWidth = 96;
 constexpr int kHeight = 72;
 
-class Resolve : public OnSoftware {
+class Resolve : public InFurnishedRoom<kWidth, kHeight> {
  protected:
-  void SetUp() override {
-    OnSoftware::SetUp();
-    if (IsSkipped()) return;
-    mesh_ = furnished_room();
-    camera_ = room_camera(kWidth, kHeight);
-    g_buffer_ = std::make_unique<GBufferPass>(mesh_, camera_, kWidth, kHeight);
-  }
-  void TearDown() override { g_buffer_.reset(); }
-
   // The CPU's answers for all pixels; NaN where there is no receiver.
   void query(const std::vector<Receiver>& receivers, const SamplePattern& pattern, const DrawOptions& options) {
     occlusion_.resize(receivers.size());
@@ -53,9 +43,6 @@ class Resolve : public OnSoftware {
     EXPECT_LE(worst, largest);
   }
 
-  Mesh mesh_;
-  Camera camera_;
-  std::unique_ptr<GBufferPass> g_buffer_;
   std::vector<float> occlusion_;
   std::vector<glm::vec3> bent_normals_;
 };

@@ -1,0 +1,31 @@
+// Tests that look at the furnished room.
+#pragma once
+
+#include <memory>
+
+#include "gpu/g_buffer_pass.h"
+#include "gpu/on_software.h"
+#include "gpu/pass_scene.h"
+
+namespace lkao::gl::tests {
+
+// The room, its camera and its G-buffer, at the size that most tests of a file use.
+template <int kWidth, int kHeight>
+class InFurnishedRoom : public OnSoftware {
+ protected:
+  void SetUp() override {
+    OnSoftware::SetUp();
+    if (IsSkipped()) return;
+    mesh_ = furnished_room();
+    camera_ = room_camera(kWidth, kHeight);
+    g_buffer_ = std::make_unique<GBufferPass>(mesh_, camera_, kWidth, kHeight);
+  }
+  // Before the context goes.
+  void TearDown() override { g_buffer_.reset(); }
+
+  Mesh mesh_;
+  Camera camera_;
+  std::unique_ptr<GBufferPass> g_buffer_;
+};
+
+}  // namespace lkao::gl::tests
