@@ -75,6 +75,17 @@ void require_limit(const char* what, std::size_t count, std::size_t limit) {
   if (count > limit) throw std::runtime_error(fmt::format("{} {}, and this OpenGL takes only {}", count, what, limit));
 }
 
+void require_ranges(std::span<const glm::vec2> ranges, std::size_t triangle_count) {
+  if (!ranges.empty() && ranges.size() != triangle_count) {
+    throw std::invalid_argument(fmt::format("{} ranges for {} triangles", ranges.size(), triangle_count));
+  }
+  for (std::size_t i = 0; i < ranges.size(); ++i) {
+    if (ranges[i].x >= 0 && ranges[i].x < ranges[i].y) continue;
+    throw std::invalid_argument(
+        fmt::format("ranges[{}] must have 0 <= r_min < r_max, not {} and {}", i, ranges[i].x, ranges[i].y));
+  }
+}
+
 template <typename Value>
 Buffer make_buffer_of(std::span<const Value> values, GLbitfield flags) {
   return make_buffer(static_cast<GLsizeiptr>(values.size_bytes()), values.data(), flags);
@@ -90,10 +101,12 @@ Occluders::Occluders()
       no_attributes_(make_vertex_array()),
       pulled_prisms_(make_indexed(prism_indices_)),
       pulled_billboards_(make_indexed(billboard_indices_)) {
-  set({}, {});
+  set({}, {}, {});
 }
 
-void Occluders::set(std::span<const glm::vec3> positions, std::span<const glm::uvec3> triangles) {
+void Occluders::set(std::span<const glm::vec3> positions, std::span<const glm::uvec3> triangles,
+                    std::span<const glm::vec2> ranges) {
+  require_ranges(ranges, triangles.size());
   for (std::size_t i = 0; i < triangles.size(); ++i) {
     for (int corner = 0; corner < 3; ++corner) {
       if (triangles[i][corner] >= positions.size()) {
@@ -116,11 +129,14 @@ void Occluders::set(std::span<const glm::vec3> positions, std::span<const glm::u
   const auto count = static_cast<GLsizeiptr>(triangles.size());
   positions_ = make_buffer_of(positions, GL_DYNAMIC_STORAGE_BIT);
   triangles_ = make_buffer_of(triangles, 0);
+  has_ranges_ = !ranges.empty();
+  ranges_ = make_buffer_of(ranges, 0);
   frames_ = make_buffer(count * 32, nullptr, 0);
   prisms_ = make_buffer(count * 4, nullptr, 0);
   billboards_ = make_buffer(count * 4, nullptr, 0);
   positions_texture_ = make_buffer_texture(GL_RGB32F, positions_);
   triangles_texture_ = make_buffer_texture(GL_RGB32UI, triangles_);
+  ranges_texture_ = make_buffer_texture(GL_RG32F, ranges_);
   frames_texture_ = make_buffer_texture(GL_RGBA32F, frames_);
   prisms_texture_ = make_buffer_texture(GL_R32UI, prisms_);
   billboards_texture_ = make_buffer_texture(GL_R32UI, billboards_);
@@ -143,6 +159,7 @@ void Occluders::update(std::span<const glm::vec3> positions) {
 void Occluders::bind() const {
   glBindTextureUnit(LKAO_UNIT_POSITIONS, positions_texture_.name());
   glBindTextureUnit(LKAO_UNIT_TRIANGLES, triangles_texture_.name());
+  glBindTextureUnit(LKAO_UNIT_RANGES, ranges_texture_.name());
   glBindTextureUnit(LKAO_UNIT_FRAMES, frames_texture_.name());
   glBindTextureUnit(LKAO_UNIT_DRAWS, draws_texture_.name());
 }

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <span>
 
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include "gpu/gl_objects.h"
@@ -15,11 +16,14 @@ class Occluders {
  public:
   Occluders();
 
-  // Throws std::invalid_argument for an index out of range, std::runtime_error for a mesh beyond the driver's limits.
-  void set(std::span<const glm::vec3> positions, std::span<const glm::uvec3> triangles);
+  // `ranges`: none, or one for each triangle. Throws std::invalid_argument for an index out of range or a range that is
+  // none, std::runtime_error for a mesh beyond the driver's limits.
+  void set(std::span<const glm::vec3> positions, std::span<const glm::uvec3> triangles,
+           std::span<const glm::vec2> ranges = {});
   void update(std::span<const glm::vec3> positions);
   ObjectName positions_buffer() const { return positions_.name(); }
   std::size_t triangle_count() const { return triangle_count_; }
+  bool has_ranges() const { return has_ranges_; }
 
   // Runs the program "classify.comp" over all triangles. Afterwards shaders may read all of it.
   void classify(GLuint program, bool two_sided) const;
@@ -35,8 +39,10 @@ class Occluders {
 
   std::size_t position_count_ = 0;
   std::size_t triangle_count_ = 0;
-  Buffer positions_, triangles_, frames_, prisms_, billboards_, draws_;
-  Texture positions_texture_, triangles_texture_, frames_texture_, prisms_texture_, billboards_texture_, draws_texture_;
+  bool has_ranges_ = false;
+  Buffer positions_, triangles_, ranges_, frames_, prisms_, billboards_, draws_;
+  Texture positions_texture_, triangles_texture_, ranges_texture_, frames_texture_, prisms_texture_,
+      billboards_texture_, draws_texture_;
   // Of a batch of triangles.
   Buffer prism_indices_, billboard_indices_;
   VertexArray no_attributes_, pulled_prisms_, pulled_billboards_;

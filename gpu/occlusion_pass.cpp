@@ -41,9 +41,10 @@ OcclusionPass::~OcclusionPass() = default;
 OcclusionPass::OcclusionPass(OcclusionPass&&) noexcept = default;
 OcclusionPass& OcclusionPass::operator=(OcclusionPass&&) noexcept = default;
 
-void OcclusionPass::set_occluders(std::span<const glm::vec3> positions, std::span<const glm::uvec3> triangles) {
+void OcclusionPass::set_occluders(std::span<const glm::vec3> positions, std::span<const glm::uvec3> triangles,
+                                  std::span<const glm::vec2> ranges) {
   require_clean_context();
-  state_->occluders.set(positions, triangles);
+  state_->occluders.set(positions, triangles, ranges);
 }
 
 void OcclusionPass::update_positions(std::span<const glm::vec3> positions) {
@@ -84,6 +85,7 @@ void OcclusionPass::draw(const GBuffer& g_buffer, const Camera& camera, const Dr
         Targets(g_buffer.width, g_buffer.height, layer_count, state_->setup.accumulator == Accumulator::ssbo);
   }
   state_->wait_for_last_frame();
+  if (state_->occluders.has_ranges()) state_->table->add_directions();
   state_->set_uniforms(g_buffer, camera, options);
   state_->bind_uniforms();
   state_->occluders.classify(state_->classify.name(), options.two_sided);

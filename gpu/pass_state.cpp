@@ -53,7 +53,7 @@ void OcclusionPass::State::wait_for_last_frame() const {
 
 void OcclusionPass::State::set_uniforms(const GBuffer& g_buffer, const Camera& camera, const DrawOptions& options) {
   uniforms = PassUniforms();
-  uniforms.flags.x = flags_of(options);
+  uniforms.flags.x = flags_of(options) | (occluders.has_ranges() ? LKAO_FLAG_RANGES : 0u);
   set_view(camera, g_buffer.width, g_buffer.height, options.radius, uniforms);
   bind(g_buffer, camera, uniforms);
   table->set_uniforms(uniforms);

@@ -26,12 +26,13 @@ constexpr std::size_t kTexelWords = 2;  // 64-bit words of a texel
 }  // namespace
 
 TableBuffer::TableBuffer(const PlaneMaskTable& table)
-    : ray_count_(table.pattern().ray_count()),
+    : table_(table),
+      ray_count_(table.pattern().ray_count()),
       is_cube_(table.options().addressing == PlaneAddressing::cube),
       has_bounds_(table.options().masks == PlaneMasks::must_may),
       lowest_elevation_(table.pattern().lowest_elevation()) {
   find_cells(table);
-  upload_masks(table);
+  upload_masks();
   upload_pattern(table.pattern());
 }
 
@@ -50,12 +51,21 @@ void TableBuffer::find_cells(const PlaneMaskTable& table) {
   cell_offsets_ = {edge_cell_count, slice_cell_count, 0, 0};
 }
 
+void TableBuffer::add_directions() {
+  if (cell_offsets_.z != 0 || &table_.directions() == &table_) return;
+  cell_offsets_.z = table_.cell_count();
+  upload_masks();
+}
+
 // Each mask is filled up to whole texels; of each cell either its mask or `must`, then `may`.
-void TableBuffer::upload_masks(const PlaneMaskTable& table) {
-  const auto words = static_cast<std::size_t>(table.pattern().word_count());
-  const std::size_t mask_words = kTexelWords * static_cast<std::size_t>(layer_count());
-  const std::size_t cell_words = has_bounds_ ? 2 * mask_words : mask_words, cell_count = table.cell_count();
-  const std::size_t texel_count = cell_count * cell_words / kTexelWords;
+std::size_t TableBuffer::words_of_cell() const {
+  return kTexelWords * static_cast<std::size_t>(layer_count()) * (has_bounds_ ? 2 : 1);
+}
+
+void TableBuffer::upload_masks() {
+  const bool with_directions = cell_offsets_.z != 0;
+  const std::size_t cell_count = std::size_t{table_.cell_count()} * (with_directions ? 2 : 1);
+  const std::size_t texel_count = cell_count * words_of_cell() / kTexelWords;
   GLint largest = 0;
   glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &largest);
   if (texel_count > static_cast<std::size_t>(largest)) {
@@ -63,9 +73,17 @@ void TableBuffer::upload_masks(const PlaneMaskTable& table) {
         "the plane mask table has {} texels, and this OpenGL's buffer textures only {}: lower its resolution",
         texel_count, largest));
   }
-
-  constexpr std::size_t kChunkCells = 16384;
   masks_ = make_buffer(static_cast<GLsizeiptr>(texel_count * 16), nullptr, GL_DYNAMIC_STORAGE_BIT);
+  upload_cells(table_, 0);
+  if (with_directions) upload_cells(table_.directions(), table_.cell_count());
+  mask_texture_ = make_buffer_texture(GL_RGBA32UI, masks_);
+  check_errors("copying the plane mask table");
+}
+
+void TableBuffer::upload_cells(const PlaneMaskTable& table, std::size_t first_cell) {
+  constexpr std::size_t kChunkCells = 16384;
+  const auto words = static_cast<std::size_t>(table.pattern().word_count());
+  const std::size_t cell_words = words_of_cell(), cell_count = table.cell_count();
   std::vector<std::uint64_t> chunk(kChunkCells * cell_words);
   for (std::size_t first = 0; first < cell_count; first += kChunkCells) {
     const std::size_t count = std::min(kChunkCells, cell_count - first);
@@ -73,13 +91,11 @@ void TableBuffer::upload_masks(const PlaneMaskTable& table) {
       const auto cell = static_cast<std::uint32_t>(first + i);
       std::uint64_t* target = chunk.data() + i * cell_words;
       std::copy_n(has_bounds_ ? table.must(cell) : table.nearest(cell), words, target);
-      if (has_bounds_) std::copy_n(table.may(cell), words, target + mask_words);
+      if (has_bounds_) std::copy_n(table.may(cell), words, target + cell_words / 2);
     }
-    glNamedBufferSubData(masks_.name(), static_cast<GLintptr>(first * cell_words * 8),
+    glNamedBufferSubData(masks_.name(), static_cast<GLintptr>((first_cell + first) * cell_words * 8),
                          static_cast<GLsizeiptr>(count * cell_words * 8), chunk.data());
   }
-  mask_texture_ = make_buffer_texture(GL_RGBA32UI, masks_);
-  check_errors("copying the plane mask table");
 }
 
 void TableBuffer::upload_pattern(const SamplePattern& pattern) {

@@ -1,6 +1,8 @@
 // The plane mask table and its sample pattern on the GPU.
 #pragma once
 
+#include <optional>
+
 #include "gpu/gl_objects.h"
 #include "gpu/pass_uniforms.h"
 #include "lkao/plane_mask_table.h"
@@ -9,9 +11,12 @@ namespace lkao::gl {
 
 class TableBuffer {
  public:
-  TableBuffer() = default;
   // Throws std::runtime_error where the table is larger than the driver's buffer textures.
   explicit TableBuffer(const PlaneMaskTable& table);
+
+  // Adds the cells for rays of one length (PlaneMaskTable::directions()), if they differ and are not there yet: ranges
+  // of distances need them.
+  void add_directions();
 
   int ray_count() const { return ray_count_; }
   // 128-bit parts of a mask.
@@ -26,9 +31,13 @@ class TableBuffer {
 
  private:
   void find_cells(const PlaneMaskTable& table);
-  void upload_masks(const PlaneMaskTable& table);
+  void upload_masks();
+  void upload_cells(const PlaneMaskTable& table, std::size_t first_cell);
+  // 64-bit words.
+  std::size_t words_of_cell() const;
   void upload_pattern(const SamplePattern& pattern);
 
+  PlaneMaskTable table_;
   int ray_count_ = 0;
   bool is_cube_ = false;
   bool has_bounds_ = false;

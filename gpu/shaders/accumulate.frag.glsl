@@ -44,6 +44,30 @@ vec3 to_pattern(Frame frame, real3 v) {
 #endif
 }
 
+// Figure 1d, and Sec. 4.3: rays that end beyond the triangle's plane, but do not begin to count beyond it.
+void keep_within_range(Planes planes, Frame frame, inout Masks masks) {
+  const bool takes_any = LKAO_MUST_MAY == 0 && LKAO_DOUBLE == 0;
+  uint directions = pass.cell_offsets.z;  // cells for rays of one length; 0 where all rays are of one
+  real size = sqrt(dot(planes.normal, planes.normal));
+  vec3 normal = to_pattern(frame, planes.normal / size);
+  if (planes.has_normal || takes_any) {
+    float end = directions == 0u ? shape.range.y : ao_radius();
+    keep_beyond(plane_cell(normal, float(planes.distance / (size * real(end)))), masks);
+    if (directions != 0u && shape.range.y < ao_radius()) {
+      keep_beyond(directions + plane_cell(normal, float(planes.distance / (size * real(shape.range.y)))), masks);
+    }
+  } else {
+    doubt(masks);
+  }
+  if (shape.range.x <= 0.0) return;
+  float near = float(planes.distance / (size * real(shape.range.x)));
+  if (!planes.has_near && !takes_any) {
+    doubt(masks);
+  } else if (near <= 1.0) {
+    drop_beyond(directions + plane_cell(normal, near), masks);
+  }
+}
+
 // Figure 1: three edges and the triangle's own plane.
 Masks look_up(Planes planes, Frame frame) {
   Masks masks;
@@ -56,17 +80,19 @@ Masks look_up(Planes planes, Frame frame) {
       doubt(masks);
     }
   }
-  if (planes.has_normal || (LKAO_MUST_MAY == 0 && LKAO_DOUBLE == 0)) {
-    real size = sqrt(dot(planes.normal, planes.normal));
-    float distance = float(planes.distance / (size * real(ao_radius())));
-    keep_beyond(plane_cell(to_pattern(frame, planes.normal / size), distance), masks);
-  } else {
-    doubt(masks);
-  }
+  keep_within_range(planes, frame, masks);
   return masks;
 }
 
 #if LKAO_MUST_MAY
+bool blocks_in_range(Planes planes, vec3 ray, float length) {
+  if (shape.range.x == 0.0 && shape.range.y == ao_radius()) return blocks(planes, ray);
+  if (shape.range.x >= length) return false;
+  precise float begin = shape.range.x / length;
+  precise float end = shape.range.y < length ? shape.range.y / length : 1.0;
+  return blocks_part(planes, ray, real(begin), real(end));
+}
+
 // Adds to `must` those of the rays in doubt that are blocked.
 void resolve_doubts(Planes planes, Frame frame, inout Masks masks) {
   for (int k = 0; k < LKAO_LAYERS; ++k) {
@@ -74,7 +100,8 @@ void resolve_doubts(Planes planes, Frame frame, inout Masks masks) {
     for (int word = 0; word < 4; ++word) {
       for (uint bits = doubts[word]; bits != 0u; bits &= bits - 1u) {
         int bit = findLSB(bits);
-        if (blocks(planes, ray(frame, k * 128 + word * 32 + bit))) masks.must[k][word] |= 1u << bit;
+        int i = k * 128 + word * 32 + bit;
+        if (blocks_in_range(planes, ray(frame, i), ray_length(i))) masks.must[k][word] |= 1u << bit;
       }
     }
   }
@@ -128,7 +155,7 @@ void main() {
   COUNT(survivor_count, survivor_carry);
   if (has_flag(LKAO_FLAG_CULL_REACH) && !is_in_reach(origin)) discard;
   Planes planes;
-  if (!make_planes(shape.a, shape.b, shape.c, shape.normal, origin, planes)) discard;
+  if (!make_planes(shape.a, shape.b, shape.c, shape.normal, origin, shape.range, planes)) discard;
   COUNT(mask_count, mask_carry);
   Masks masks = look_up(planes, frame);
   if (is_empty(masks)) discard;

@@ -21,7 +21,7 @@ struct Hemisphere {
 Hemisphere make_hemisphere(Occluder o) {
   float margin = margin_of(o);
   Hemisphere h;
-  h.radius = (o.sphere.w + ao_radius() + margin) * kCircumscribe;
+  h.radius = (o.sphere.w + o.range.y + margin) * kCircumscribe;
   if (has_flag(LKAO_FLAG_PERSPECTIVE)) {
     vec3 to_center = o.sphere.xyz - pass.eye.xyz;
     float far = length(to_center);

@@ -4,6 +4,7 @@
 //
 // Based on: S. Laine, T. Karras, "Two Methods for Fast Ray-Cast Ambient Occlusion", EGSR 2010, Sec. 4.1.
 #include "pass.glsl"
+#include "range.glsl"
 
 layout(local_size_x = LKAO_GROUP_SIZE) in;
 
@@ -56,9 +57,11 @@ void main() {
   if (area == dvec3(0.0lf)) return;
   atomicMax(draws[LKAO_DRAW_LARGEST_COORDINATE], floatBitsToUint(max(largest.x, max(largest.y, largest.z))));
 
+  vec2 range = range_of(triangle);
+  if (range.x >= ao_radius()) return;  // no ray is that long
   vec3 center = sphere_center(a, b, c, area);
   float size = max(distance(center, a), max(distance(center, b), distance(center, c)));
-  float reach = size + ao_radius(), center_depth = distance_along_view(center);
+  float reach = size + range.y, center_depth = distance_along_view(center);
   // Receivers are in front of a perspective camera.
   bool is_perspective = has_flag(LKAO_FLAG_PERSPECTIVE);
   if (is_perspective && center_depth < -1.1 * reach) return;
@@ -67,7 +70,7 @@ void main() {
   frames[2u * triangle + 1u] = vec4(center, 0.0);
   // A sphere has an outline only as seen from outside: well outside of the enlarged one that the billboard is made for.
   bool is_inside = is_perspective && distance(center, pass.eye.xyz) < 1.2 * reach;
-  if (size > pass.lengths.y * ao_radius() || is_inside) {
+  if (size > pass.lengths.y * range.y || is_inside) {
     prisms[next_place(LKAO_DRAW_PRISM_ARRAYS, LKAO_DRAW_PRISM_ELEMENTS)] = triangle;
   } else {
     billboards[next_place(LKAO_DRAW_BILLBOARD_ARRAYS, LKAO_DRAW_BILLBOARD_ELEMENTS)] = triangle;

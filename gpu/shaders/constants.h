@@ -15,7 +15,8 @@
 #define LKAO_UNIT_PLACE 9               // 2D: what tells a pixel's position
 #define LKAO_UNIT_NORMALS 10            // 2D: normals of the pixels
 #define LKAO_UNIT_GEOMETRIC_NORMALS 11  // 2D
-#define LKAO_UNIT_COUNT 12
+#define LKAO_UNIT_RANGES 12             // buffer: at which distances each triangle counts
+#define LKAO_UNIT_COUNT 13
 
 // Shader storage.
 #define LKAO_STORAGE_DRAWS 0
@@ -69,5 +70,6 @@
 #define LKAO_FLAG_WRITE_OCCLUSION 8192u
 #define LKAO_FLAG_WRITE_BENT_NORMALS 16384u
 #define LKAO_FLAG_CULL_REACH 32768u
+#define LKAO_FLAG_RANGES 65536u
 
 #endif

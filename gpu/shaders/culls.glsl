@@ -11,7 +11,7 @@ const float kMargin = 1e-4;
 
 // 1 to 4: those that need no more than the receiver's position.
 bool is_culled_by_place(vec3 origin, float along_view) {
-  float radius = ao_radius(), far = shape.nearest_depth - along_view;
+  float radius = shape.range.y, far = shape.nearest_depth - along_view;
   if (has_flag(LKAO_FLAG_CULL_FAR_DEPTH) &&
       far > radius + kMargin * (radius + abs(along_view) + abs(shape.nearest_depth))) {
     return true;
@@ -37,16 +37,17 @@ float square_distance_to_edge(vec3 from, vec3 along) {
   return dot(nearest, nearest);
 }
 
-// The influence region itself: points within the radius of the triangle. The shapes only bound it; masks of nearest cells
+// The influence region itself: points within r_max of the triangle, not all of which is within r_min. The shapes only bound it; masks of nearest cells
 // depend on where it ends, and this makes it end in one place for all of them.
 bool is_in_reach(vec3 origin) {
   vec3 a = shape.a - origin, b = shape.b - origin, c = shape.c - origin;
   vec3 ab = shape.b - shape.a, bc = shape.c - shape.b, ca = shape.a - shape.c;
   vec3 n = shape.normal;
-  float reach = ao_radius() * (1.0 + kMargin);
+  float near = shape.range.x * (1.0 - kMargin), far = shape.range.y * (1.0 + kMargin);
+  if (max(dot(a, a), max(dot(b, b), dot(c, c))) < near * near) return false;
   bool is_over = dot(cross(ab, n), a) >= 0.0 && dot(cross(bc, n), b) >= 0.0 && dot(cross(ca, n), c) >= 0.0;
   float square = is_over ? dot(a, n) * dot(a, n)
                          : min(square_distance_to_edge(a, ab),
                                min(square_distance_to_edge(b, bc), square_distance_to_edge(c, ca)));
-  return square <= reach * reach;
+  return square <= far * far;
 }

@@ -1,5 +1,6 @@
 // A triangle as the shapes and the fragments need it.
 #include "depth.glsl"
+#include "range.glsl"
 
 layout(binding = LKAO_UNIT_POSITIONS) uniform samplerBuffer positions;
 layout(binding = LKAO_UNIT_TRIANGLES) uniform usamplerBuffer triangles;
@@ -12,6 +13,7 @@ struct Occluder {
   vec3 normal;   // unit length, precise even for slivers
   vec4 sphere;   // the smallest around it
   vec2 depths;   // of its corners along the view: nearest and farthest
+  vec2 range;    // the distances at which it counts
 };
 
 Occluder fetch_occluder(uint triangle) {
@@ -23,6 +25,7 @@ Occluder fetch_occluder(uint triangle) {
   vec4 frame = texelFetch(frames, int(2u * triangle));
   o.normal = frame.xyz;
   o.sphere = vec4(texelFetch(frames, int(2u * triangle + 1u)).xyz, frame.w);
+  o.range = range_of(triangle);
   vec3 depths = vec3(distance_along_view(o.a), distance_along_view(o.b), distance_along_view(o.c));
   o.depths = vec2(min(depths.x, min(depths.y, depths.z)), max(depths.x, max(depths.y, depths.z)));
   return o;
@@ -32,8 +35,8 @@ Occluder fetch_occluder(uint triangle) {
 // and the surface offset, and of a pixel, since rasterisers put corners on a grid of 1/256 pixel.
 float margin_of(Occluder o) {
   float largest = uintBitsToFloat(texelFetch(draws, LKAO_DRAW_LARGEST_COORDINATE).x);
-  float far = has_flag(LKAO_FLAG_PERSPECTIVE) ? max(o.depths.y + ao_radius(), 0.0) : 1.0;
-  return 1e-3 * ao_radius() + (2.0 * pass.lengths.z + 8e-7) * (largest + 2.0 * ao_radius()) +
+  float far = has_flag(LKAO_FLAG_PERSPECTIVE) ? max(o.depths.y + o.range.y, 0.0) : 1.0;
+  return 1e-3 * o.range.y + (2.0 * pass.lengths.z + 8e-7) * (largest + 2.0 * ao_radius()) +
          pass.lengths.w * far / 32.0;
 }
 

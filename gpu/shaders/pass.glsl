@@ -13,7 +13,7 @@ layout(std140, binding = 0) uniform Pass {
   ivec4 extent;             // width, height, triangle count, LKAO_PLACE_*
   uvec4 flags;              // LKAO_FLAG_*, ray count, seed as mix_bits(seed): low and high
   uvec4 cells;              // of the table: resolution or cells along the maps' sides: edges, slices; slice count
-  uvec4 cell_offsets;       // of the table: cells of the map of edges, cells of a slice
+  uvec4 cell_offsets;       // of the table: cells of the map of edges, cells of a slice; first cell for rays of one length
 } pass;
 
 bool has_flag(uint flag) { return (pass.flags.x & flag) != 0u; }

@@ -21,6 +21,7 @@ struct Planes {
   real distance;
   real normal_slack;
   bool has_normal;
+  bool has_near;  // the same at the distance r_min
 };
 
 real norm(real3 v) { return abs(v.x) + abs(v.y) + abs(v.z); }
@@ -50,7 +51,8 @@ void set_edge(inout Planes planes, int i, vec3 corner_from, vec3 corner_to, vec3
 }
 
 // False where the triangle blocks no ray at all.
-bool make_planes(vec3 corner_a, vec3 corner_b, vec3 corner_c, vec3 unit_normal, vec3 origin, out Planes planes) {
+bool make_planes(vec3 corner_a, vec3 corner_b, vec3 corner_c, vec3 unit_normal, vec3 origin, vec2 range,
+                 out Planes planes) {
   precise dvec3 a = dvec3(corner_a) - dvec3(origin), b = dvec3(corner_b) - dvec3(origin),
                 c = dvec3(corner_c) - dvec3(origin);
   precise dvec3 u = b - a, v = c - a;
@@ -59,14 +61,15 @@ bool make_planes(vec3 corner_a, vec3 corner_b, vec3 corner_c, vec3 unit_normal, 
   precise double distance = a.x * normal.x + a.y * normal.y + a.z * normal.z;
   double ray_norm = 1.7321lf * double(ao_radius());
   if (abs(distance) <= kRounding * size * norm(a)) return false;
-  if (abs(distance) > 1.001lf * double(ao_radius()) * sqrt(dot(normal, normal))) return false;
+  if (abs(distance) > 1.001lf * double(range.y) * sqrt(dot(normal, normal))) return false;
   bool in_front = distance < 0.0lf;
   if (!in_front && !has_flag(LKAO_FLAG_TWO_SIDED)) return false;
   double facing = in_front ? -1.0lf : 1.0lf;
   planes.normal = facing * normal;
   planes.distance = facing * distance;
   planes.normal_slack = kRounding * size * (norm(a) + ray_norm);
-  planes.has_normal = norm(normal) * ray_norm > 1e6lf * planes.normal_slack;
+  planes.has_normal = norm(normal) * (1.7321lf * double(range.y)) > 1e6lf * planes.normal_slack;
+  planes.has_near = norm(normal) * (1.7321lf * double(range.x)) > 1e6lf * planes.normal_slack;
   set_edge(planes, 0, corner_a, corner_b, origin, facing, ray_norm);
   set_edge(planes, 1, corner_b, corner_c, origin, facing, ray_norm);
   set_edge(planes, 2, corner_c, corner_a, origin, facing, ray_norm);
@@ -89,7 +92,8 @@ void set_edge(inout Planes planes, int i, vec3 corner_from, vec3 corner_to, vec3
 }
 
 // False where the triangle blocks no ray at all.
-bool make_planes(vec3 corner_a, vec3 corner_b, vec3 corner_c, vec3 unit_normal, vec3 origin, out Planes planes) {
+bool make_planes(vec3 corner_a, vec3 corner_b, vec3 corner_c, vec3 unit_normal, vec3 origin, vec2 range,
+                 out Planes planes) {
   // Any corner tells the distance; the nearest tells it best.
   precise vec3 a = corner_a - origin, b = corner_b - origin, c = corner_c - origin;
   vec3 nearest = norm(a) <= norm(b) ? a : b;
@@ -97,14 +101,15 @@ bool make_planes(vec3 corner_a, vec3 corner_b, vec3 corner_c, vec3 unit_normal, 
   precise float distance = (nearest.x * unit_normal.x + nearest.y * unit_normal.y) + nearest.z * unit_normal.z;
   float ray_norm = 1.7321 * ao_radius(), rounding = kRounding * norm(nearest);
   // In the plane, to rounding, it would be met at the ray's open end only.
-  if (abs(distance) <= rounding || abs(distance) > 1.001 * ao_radius() + rounding) return false;
+  if (abs(distance) <= rounding || abs(distance) > 1.001 * range.y + rounding) return false;
   bool in_front = distance < 0.0;
   if (!in_front && !has_flag(LKAO_FLAG_TWO_SIDED)) return false;
   float facing = in_front ? -1.0 : 1.0;
   planes.normal = facing * unit_normal;
   planes.distance = facing * distance;
   planes.normal_slack = rounding + kRounding * ray_norm;
-  planes.has_normal = rounding < 5e-6 * ao_radius();
+  planes.has_normal = rounding < 5e-6 * range.y;
+  planes.has_near = rounding < 5e-6 * range.x;
   set_edge(planes, 0, corner_a, corner_b, origin, facing, ray_norm);
   set_edge(planes, 1, corner_b, corner_c, origin, facing, ray_norm);
   set_edge(planes, 2, corner_c, corner_a, origin, facing, ray_norm);
@@ -122,4 +127,12 @@ bool blocks(Planes planes, vec3 ray) {
   }
   precise real along = (r.x * planes.normal.x + r.y * planes.normal.y) + r.z * planes.normal.z;
   return along >= planes.distance - planes.normal_slack && ray != vec3(0.0);
+}
+
+// The same for the part of the ray from `begin` times to `end` times the ray.
+bool blocks_part(Planes planes, vec3 ray, real begin, real end) {
+  precise real3 r = real3(ray);
+  precise real along = (r.x * planes.normal.x + r.y * planes.normal.y) + r.z * planes.normal.z;
+  return blocks(planes, ray) && along * end >= planes.distance - planes.normal_slack &&
+         along * begin <= planes.distance + planes.normal_slack;
 }

@@ -19,7 +19,7 @@ vec3 base_point(vec3 previous, vec3 corner, vec3 next, vec3 normal, float radius
 
 // Vertex 0 to 11: the base, counter-clockwise about the normal, then the cover.
 vec4 prism_vertex(Occluder o, int vertex) {
-  float margin = margin_of(o), radius = ao_radius() + margin;
+  float margin = margin_of(o), radius = o.range.y + margin;
   int corner = vertex % 6 / 2;
   float side = (vertex & 1) == 0 ? -1.0 : 1.0;
   vec3 place = corner == 0   ? base_point(o.c, o.a, o.b, o.normal, radius, side)

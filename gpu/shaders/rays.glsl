@@ -20,10 +20,13 @@ vec3 ray_direction(Frame frame, vec3 local) {
   return direction;
 }
 
+float ray_length(int i) {
+  precise float length = texelFetch(pattern, i).w * ao_radius();
+  return length;
+}
+
 vec3 ray(Frame frame, int i) {
-  vec4 texel = texelFetch(pattern, i);
-  precise float length = texel.w * ao_radius();
-  precise vec3 end = ray_direction(frame, texel.xyz) * length;
+  precise vec3 end = ray_direction(frame, texelFetch(pattern, i).xyz) * ray_length(i);
   return end;
 }
 

@@ -9,4 +9,5 @@ void pass_on(Occluder o) {
   shape.normal = o.normal;
   shape.sphere = o.sphere;
   shape.nearest_depth = o.depths.x;
+  shape.range = o.range;
 }

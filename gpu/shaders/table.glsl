@@ -31,6 +31,20 @@ void keep_beyond(uint cell, inout Masks masks) {
   for (int k = 0; k < LKAO_LAYERS; ++k) masks.must[k] &= texelFetch(table, first + k);
 }
 
+// Takes away the rays that are beyond a plane of the cell.
+void drop_beyond(uint cell, inout Masks masks) {
+#if LKAO_MUST_MAY
+  int first = int(cell) * (2 * LKAO_LAYERS);
+  for (int k = 0; k < LKAO_LAYERS; ++k) {
+    masks.may[k] &= ~texelFetch(table, first + k);
+    masks.must[k] &= ~texelFetch(table, first + LKAO_LAYERS + k);
+  }
+#else
+  int first = int(cell) * LKAO_LAYERS;
+  for (int k = 0; k < LKAO_LAYERS; ++k) masks.must[k] &= ~texelFetch(table, first + k);
+#endif
+}
+
 // A plane whose cell is not known: all rays may be beyond it, none must.
 void doubt(inout Masks masks) {
 #if LKAO_MUST_MAY

@@ -4,4 +4,5 @@ VARYING Shape {
   flat vec3 normal;
   flat vec4 sphere;
   flat float nearest_depth;
+  flat vec2 range;
 } shape;

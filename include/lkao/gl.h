@@ -25,6 +25,7 @@
 
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include "lkao/occlusion_mask.h"
@@ -206,8 +207,12 @@ class OcclusionPass {
   OcclusionPass& operator=(OcclusionPass&&) noexcept;
 
   // Copies the mesh to the GPU; front faces are counter-clockwise. Triangles without area or with a coordinate that is
-  // not finite or beyond 1e18 block nothing. Throws std::invalid_argument where an index is outside `positions`.
-  void set_occluders(std::span<const glm::vec3> positions, std::span<const glm::uvec3> triangles);
+  // not finite or beyond 1e18 block nothing. `ranges`, where it is not empty, has [r_min, r_max] for each triangle: it
+  // blocks a ray only where the distance from the receiver is in that range, as one of several levels of detail
+  // (OccluderLevel). Throws std::invalid_argument where an index is outside `positions`, or a range is not
+  // 0 <= r_min < r_max.
+  void set_occluders(std::span<const glm::vec3> positions, std::span<const glm::uvec3> triangles,
+                     std::span<const glm::vec2> ranges = {});
   // New positions for the same triangles, as many as before. Nothing is rebuilt: bounds are found anew by every draw().
   void update_positions(std::span<const glm::vec3> positions);
   // The buffer of positions, three floats each, for meshes that move on the GPU: write there between draws, with
