@@ -94,8 +94,9 @@ class QueryCaseDecoder {
     const std::size_t receiver_count = std::clamp<std::size_t>(100'000 / tests, 2, 12);
     std::vector<Receiver> receivers;
     for (std::size_t i = 0; i < receiver_count; ++i) receivers.push_back(decode_receiver());
-    return {is_wild_, std::move(soup_.mesh), build,      pattern.pattern, std::move(pattern.name), pattern.table,
-            options,  std::move(receivers),  first_index};
+    const float level_end = decode_level_end(options.radius, receivers);
+    return {is_wild_, std::move(soup_.mesh), build,       pattern.pattern, std::move(pattern.name), pattern.table,
+            options,  std::move(receivers),  first_index, level_end};
   }
 
  private:
@@ -111,6 +112,13 @@ class QueryCaseDecoder {
     options.surface_offset = bytes_.pick(kOffsets);
     options.node_masks = bytes_.once_in(2) ? NodeMasks::bounding_sphere : NodeMasks::box_outline;
     return options;
+  }
+
+  // The second level knows nothing of primitives that are excluded.
+  float decode_level_end(float radius, std::vector<Receiver>& receivers) {
+    if (!bytes_.once_in(2)) return 0;
+    for (Receiver& receiver : receivers) receiver.excluded_primitive = kNoPrimitive;
+    return radius * 1.1f * bytes_.share();
   }
 
   // From a thousandth of the soup to far beyond it.

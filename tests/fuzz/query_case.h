@@ -24,6 +24,7 @@ struct QueryCase {
   QueryOptions options;
   std::vector<Receiver> receivers;
   std::uint64_t first_index = 0;
+  float level_end = 0;  // where two levels of detail meet, if it is not 0; then no receiver excludes a primitive
 };
 
 // The same bytes, the same case.

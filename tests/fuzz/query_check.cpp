@@ -43,11 +43,12 @@ std::string describe(const QueryCase& c, std::size_t receiver) {
   return fmt::format(
       "  receiver {} of {}: position {}, normal {}, geometric normal {}, excluded primitive {}, index {}\n"
       "  {} triangles, spatial splits {}, pattern {}, radius {:.9g}, {}-sided, jitter {:g} turns {:g} rad, seed {}, "
-      "surface offset {:g}\n",
+      "surface offset {:g}, level end {:.9g}\n",
       receiver, c.receivers.size(), text(r.position), text(r.normal), text(r.geometric_normal),
       r.excluded_primitive == kNoPrimitive ? "none" : std::to_string(r.excluded_primitive), c.first_index + receiver,
       c.mesh.triangles.size(), c.build.spatial_splits ? "on" : "off", c.pattern_name, o.radius,
-      o.sidedness == Sidedness::one_sided ? "one" : "two", o.jitter.rotation, o.jitter.tilt, o.seed, o.surface_offset);
+      o.sidedness == Sidedness::one_sided ? "one" : "two", o.jitter.rotation, o.jitter.tilt, o.seed, o.surface_offset,
+      c.level_end);
 }
 
 std::string compare(const QueryCase& c, const std::string& name, const Answers& answers,
@@ -152,13 +153,21 @@ std::string find_difference(const QueryCase& c) {
     options.kernel = kernel;
     return AmbientOcclusion(occluders, c.pattern, options);
   };
+  // The same occluders near by and farther away: the answer is that without levels.
+  const auto make_levels = [&](Kernel kernel) {
+    QueryOptions options = c.options;
+    options.kernel = kernel;
+    return AmbientOcclusion({{occluders, 0, c.level_end}, {occluders, c.level_end}}, c.pattern, options);
+  };
   const AmbientOcclusion scalar = make_query(Kernel::scalar), simd = make_query(Kernel::simd);
   Comparison comparison(c, scalar);
   if (!c.is_wild) comparison.add("trying every triangle", by_brute_force(c, scalar, comparison.expected()));
   comparison.add("the scalar kernel", scalar);
+  if (c.level_end > 0) comparison.add("two levels of the scalar kernel", make_levels(Kernel::scalar));
   for (const std::string& isa : available_isas()) {
     const ForcedIsa forced(isa);
     comparison.add("the SIMD kernel on " + isa, simd);
+    if (c.level_end > 0) comparison.add("two levels on " + isa, make_levels(Kernel::simd));
   }
   if (c.table) comparison.add("the table kernel", AmbientOcclusion(occluders, *c.table, c.options));
   return comparison.difference();
