@@ -5,10 +5,8 @@
 #include <array>
 #include <cstddef>
 #include <cstdio>
-#include <fstream>
 #include <map>
 #include <memory>
-#include <stdexcept>
 #include <string>
 #include <thread>
 #include <vector>
@@ -20,6 +18,8 @@
 #include "build_cost.h"
 #include "build_report.h"
 #include "commands.h"
+#include "csv_file.h"
+#include "median.h"
 #include "scene/builtin.h"
 #include "study_scenes.h"
 
@@ -34,12 +34,6 @@ struct Options {
   int round_count = 5;
   std::string csv;
 };
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 // Round after round, so that a slow moment of the machine meets all methods.
 std::vector<BuildResult> measure(const TriangleMesh& mesh, int thread_count, const Options& options) {
@@ -66,15 +60,6 @@ std::vector<BuildResult> measure(const TriangleMesh& mesh, int thread_count, con
   return results;
 }
 
-// Fails before hours of measuring, not after.
-std::ofstream open_csv(const std::string& path) {
-  std::ofstream file;
-  if (path.empty()) return file;
-  file.open(path);
-  if (!(file << build_csv_heading())) throw std::runtime_error(path + ": cannot be written");
-  return file;
-}
-
 std::string peak_memory() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
@@ -83,7 +68,7 @@ std::string peak_memory() {
 
 class Comparison {
  public:
-  explicit Comparison(const Options& options) : options_(options), csv_(open_csv(options.csv)) {}
+  explicit Comparison(const Options& options) : options_(options), csv_(options.csv, build_csv_heading()) {}
 
   void run() {
     std::vector<std::string> names;
@@ -100,15 +85,13 @@ class Comparison {
       BuildCell cell{name, mesh.triangles.size(), thread_count, measure(mesh.view(), thread_count, options_)};
       fmt::print("{}", build_table_row(cell));
       std::fflush(stdout);
-      if (csv_.is_open() && !(csv_ << build_csv_rows(cell) << std::flush)) {
-        throw std::runtime_error(options_.csv + ": cannot be written");
-      }
+      csv_.write(build_csv_rows(cell));
       cells_.push_back(std::move(cell));
     }
   }
 
   Options options_;
-  std::ofstream csv_;
+  CsvFile csv_;
   std::vector<BuildCell> cells_;
 };
 

@@ -14,6 +14,7 @@
 #include "cli/stopwatch.h"
 #include "embree_modes.h"
 #include "lkao/isa.h"
+#include "median.h"
 
 namespace lkao::bench {
 namespace {
@@ -28,12 +29,6 @@ struct Method {
   std::vector<double> seconds = {};  // a round each
   Masks masks = {};
 };
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 std::uint64_t count_differences(const Masks& a, const Masks& b) {
   std::uint64_t count = 0;

@@ -1,6 +1,5 @@
 // lkao-bench rays: lkao against every mode of Embree, on the same rays.
 #include <cstdio>
-#include <fstream>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -11,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "commands.h"
+#include "csv_file.h"
 #include "lkao/lkao.h"
 #include "rays_cell.h"
 #include "rays_report.h"
@@ -43,26 +43,6 @@ std::optional<std::string> embree_config(const Options& options) {
   return std::nullopt;  // NEON and others: Embree has no choice there
 }
 
-// Fails before hours of measuring, not after.
-class CsvFile {
- public:
-  explicit CsvFile(const std::string& path) : path_(path) {
-    if (path_.empty()) return;
-    file_.open(path_);
-    write(rays_csv_heading());
-  }
-
-  void write(const std::string& rows) {
-    if (path_.empty()) return;
-    file_ << rows << std::flush;
-    if (!file_) throw std::runtime_error(path_ + ": cannot be written");
-  }
-
- private:
-  std::string path_;
-  std::ofstream file_;
-};
-
 class Comparison {
  public:
   explicit Comparison(const Options& options)
@@ -70,7 +50,7 @@ class Comparison {
         names_(study_scene_names(options.scenes)),
         isas_(is_limited(options) ? std::vector{active_isa()} : available_isas()),
         config_(embree_config(options)),
-        csv_(options.csv) {}
+        csv_(options.csv, rays_csv_heading()) {}
 
   void run() {
     if (options_.measure.thread_count > 1) fmt::print("{} threads\n", options_.measure.thread_count);
