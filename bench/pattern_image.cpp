@@ -48,12 +48,13 @@ image::Image pattern_image(const std::string& builtin_scene) {
   for (int row = 0; row < rows; ++row) {
     for (int column = 0; column < columns; ++column) {
       const SamplePattern pattern = SamplePattern::make(kColumns[column], kRows[row].ray_count);
-      tbb::parallel_for(std::size_t{0}, seen.receivers.size(), [&](std::size_t k) {
-        const int x = column * kWidth + static_cast<int>(seen.pixels[k] % kWidth);
-        const int y = row * kHeight + static_cast<int>(seen.pixels[k] / kWidth);
+      tbb::parallel_for(std::size_t{0}, seen.receivers.size(), [&](std::size_t pixel) {
+        if (!seen.sees(pixel)) return;
+        const int x = column * kWidth + static_cast<int>(pixel % kWidth);
+        const int y = row * kHeight + static_cast<int>(pixel / kWidth);
         picture.pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) +
                        static_cast<std::size_t>(x)] =
-            visibility(hits, seen.receivers[k], pattern, kRows[row].rotation, seen.pixels[k]);
+            visibility(hits, seen.receivers[pixel], pattern, kRows[row].rotation, pixel);
       });
     }
   }

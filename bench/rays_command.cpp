@@ -65,8 +65,7 @@ class Comparison {
 
  private:
   void measure_scene(const StudyScene& scene) {
-    const std::vector<Receiver> receivers =
-        choose_tiles(scene.receivers, scene.pixels, options_.scenes.width, options_.tile_count);
+    const std::vector<Receiver> receivers = choose_tiles(scene.view, options_.tile_count);
     if (receivers.empty()) throw std::runtime_error(scene.name + ": no tile of the picture is half full of receivers");
     const OccluderBvh occluders(scene.mesh.view());
     const reference::EmbreeScene rival(scene.mesh.view(), false, config_ ? config_->c_str() : nullptr);

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
+#include <utility>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -19,16 +20,10 @@ using nlohmann::json;
 
 glm::vec3 vector_of(const json& value) { return {value.at(0), value.at(1), value.at(2)}; }
 
-StudyScene look_at(std::string name, scene::Mesh mesh, const scene::Camera& camera, std::vector<float> radii,
-                   const StudySceneOptions& options) {
-  scene::ReceiverImage image = scene::find_receivers(mesh, camera, options.width, options.height);
-  if (image.receivers.empty()) throw std::runtime_error(fmt::format("{}: the camera sees nothing", name));
-  return {std::move(name), std::move(mesh), std::move(image.receivers), std::move(radii), std::move(image.pixels)};
-}
-
 StudyScene load_builtin(const std::string& name, const StudySceneOptions& options) {
   const scene::BuiltinScene& builtin = scene::builtin_scene(name);
-  return look_at(name, scene::make_builtin(name), builtin.camera, {builtin.radii.small, builtin.radii.large}, options);
+  return look_at(name, scene::make_builtin(name), {builtin.radii.small, builtin.radii.large}, builtin.camera,
+                 options.width, options.height);
 }
 
 scene::Mesh load_mesh(const json& view, const StudySceneOptions& options) {
@@ -39,7 +34,7 @@ scene::Mesh load_mesh(const json& view, const StudySceneOptions& options) {
 StudyScene load_view(const json& view, const StudySceneOptions& options) {
   const scene::Camera camera{vector_of(view.at("eye")), vector_of(view.at("target")), vector_of(view.at("up")),
                              view.at("fov")};
-  return look_at(view.at("name"), load_mesh(view, options), camera, view.at("radii"), options);
+  return look_at(view.at("name"), load_mesh(view, options), view.at("radii"), camera, options.width, options.height);
 }
 
 // Calls `read` with the list of scenes in the file.
@@ -86,6 +81,14 @@ std::vector<StudyScene> load_views(const StudySceneOptions& options) {
 }
 
 }  // namespace
+
+StudyScene look_at(std::string name, scene::Mesh mesh, std::vector<float> radii, const scene::Camera& camera, int width,
+                   int height) {
+  scene::ReceiverImage view = scene::find_receivers(mesh, camera, width, height);
+  if (view.receiver_count == 0) throw std::runtime_error(fmt::format("{}: the camera sees nothing", name));
+  std::vector<Receiver> receivers = scene::seen_receivers(view);
+  return {std::move(name), std::move(mesh), std::move(radii), camera, std::move(view), std::move(receivers)};
+}
 
 std::vector<std::string> study_scene_names(const StudySceneOptions& options) {
   if (!options.views.empty()) {

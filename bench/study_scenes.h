@@ -1,11 +1,11 @@
 // Scenes that a study runs on: a mesh, what a camera sees of it, and AO radii.
 #pragma once
 
-#include <cstdint>
 #include <string>
 #include <vector>
 
 #include "lkao/lkao.h"
+#include "scene/camera.h"
 #include "scene/mesh.h"
 
 namespace lkao::bench {
@@ -13,10 +13,15 @@ namespace lkao::bench {
 struct StudyScene {
   std::string name;
   scene::Mesh mesh;
-  std::vector<Receiver> receivers;
   std::vector<float> radii;
-  std::vector<std::uint32_t> pixels;  // pixel number (row * width + column) of each receiver
+  scene::Camera camera;
+  scene::ReceiverImage view;
+  std::vector<Receiver> receivers;  // of the view's pixels that see a triangle
 };
+
+// Throws std::runtime_error with one line where the camera sees nothing.
+StudyScene look_at(std::string name, scene::Mesh mesh, std::vector<float> radii, const scene::Camera& camera, int width,
+                   int height);
 
 // What to load, and how many pixels wide and high the receivers' image is.
 struct StudySceneOptions {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <utility>
 
@@ -19,16 +20,18 @@ std::uint32_t morton(std::uint32_t x, std::uint32_t y) {
   return code;
 }
 
-// Morton code and number of each receiver.
+// Morton code and pixel of each receiver.
 using Tile = std::vector<std::pair<std::uint32_t, std::size_t>>;
 
 // The dense ones, row by row.
-std::vector<Tile> find_dense_tiles(std::span<const std::uint32_t> pixels, std::uint32_t width) {
+std::vector<Tile> find_dense_tiles(const scene::ReceiverImage& image) {
+  const auto width = static_cast<std::uint32_t>(image.width);
   std::map<std::pair<std::uint32_t, std::uint32_t>, Tile> tiles;  // by row and column
-  for (std::size_t i = 0; i < pixels.size(); ++i) {
-    const std::uint32_t x = pixels[i] % width;
-    const std::uint32_t y = pixels[i] / width;
-    tiles[{y / kTileSize, x / kTileSize}].emplace_back(morton(x % kTileSize, y % kTileSize), i);
+  for (std::size_t pixel = 0; pixel < image.receivers.size(); ++pixel) {
+    if (!image.sees(pixel)) continue;
+    const std::uint32_t x = static_cast<std::uint32_t>(pixel) % width;
+    const std::uint32_t y = static_cast<std::uint32_t>(pixel) / width;
+    tiles[{y / kTileSize, x / kTileSize}].emplace_back(morton(x % kTileSize, y % kTileSize), pixel);
   }
   std::vector<Tile> dense;
   for (auto& [place, tile] : tiles) {
@@ -39,15 +42,14 @@ std::vector<Tile> find_dense_tiles(std::span<const std::uint32_t> pixels, std::u
 
 }  // namespace
 
-std::vector<Receiver> choose_tiles(std::span<const Receiver> receivers, std::span<const std::uint32_t> pixels,
-                                   int width, int tile_count) {
-  std::vector<Tile> dense = find_dense_tiles(pixels, static_cast<std::uint32_t>(width));
+std::vector<Receiver> choose_tiles(const scene::ReceiverImage& image, int tile_count) {
+  std::vector<Tile> dense = find_dense_tiles(image);
   const std::size_t chosen_count = std::min(dense.size(), static_cast<std::size_t>(tile_count));
   std::vector<Receiver> chosen;
   for (std::size_t i = 0; i < chosen_count; ++i) {
     Tile& tile = dense[(2 * i + 1) * dense.size() / (2 * chosen_count)];
     std::sort(tile.begin(), tile.end());
-    for (const auto& [code, receiver] : tile) chosen.push_back(receivers[receiver]);
+    for (const auto& [code, pixel] : tile) chosen.push_back(image.receivers[pixel]);
   }
   return chosen;
 }

@@ -32,8 +32,7 @@ StudyScene make_closed_scene() {
   scene::add_revolved(mesh, {0, 0, 0}, profile, kSegmentCount,
                       [](double turns) { return 1 + 0.06 * std::sin(48 * kPi * turns); });
   const scene::Camera camera = scene::frame(scene::bounds_of(mesh), 4.0f / 3);
-  scene::ReceiverImage image = scene::find_receivers(mesh, camera, kImageWidth, kImageHeight);
-  return {"closed", std::move(mesh), std::move(image.receivers), {0.1f, 1.0f}, std::move(image.pixels)};
+  return look_at("closed", std::move(mesh), {0.1f, 1.0f}, camera, kImageWidth, kImageHeight);
 }
 
 StudyScene make_scene(const std::string& name) {
@@ -89,10 +88,7 @@ Surroundings make_surroundings() {
 }  // namespace
 
 MeasuredScene::MeasuredScene(StudyScene scene)
-    : view(std::move(scene)),
-      tiles(choose_tiles(view.receivers, view.pixels, kImageWidth, 2)),
-      occluders(view.mesh.view()),
-      oracle(view.mesh) {}
+    : view(std::move(scene)), tiles(choose_tiles(view.view, 2)), occluders(view.mesh.view()), oracle(view.mesh) {}
 
 const MeasuredScene& measured_scene(const std::string& name) {
   static std::map<std::string, std::unique_ptr<const MeasuredScene>> scenes;

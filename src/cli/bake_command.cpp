@@ -60,7 +60,7 @@ Bake compute(const BakeOptions& options, ProgressBar& progress) {
   result.build_seconds = watch.seconds();
   const AmbientOcclusion ao = make_query(occluders, options.occlusion);
 
-  result.batch = run_batch(ao, nullptr, vertex_receivers(mesh), {}, progress);
+  result.batch = run_batch({Method::bvh, answer_of(ao)}, ao.pattern(), vertex_receivers(mesh), {}, progress);
   progress.clear();
   return result;
 }
@@ -89,6 +89,7 @@ Json document_of(const BakeOptions& options, const Bake& result) {
   add_batch_keys(document, result.batch);
   document["vertices_without_normal"] = result.batch.invalid_receiver_count;
   add_setting_keys(document, options.occlusion);
+  add_kernel_keys(document, options.occlusion);
   add_scene_keys(document, result.scene);
   document["build_seconds"] = result.build_seconds;
   return document;

@@ -14,22 +14,17 @@ constexpr std::size_t kRaysPerPart = std::size_t{1} << 21;
 
 // One method, and what it has answered so far.
 struct Runner {
-  Runner(Method runner_method, const AmbientOcclusion& query, const reference::EmbreeReference* reference,
-         std::size_t receiver_count)
-      : method(runner_method), ao(query), embree(reference), occlusion(receiver_count) {}
+  Runner(const Caster& runner_caster, std::size_t receiver_count) : caster(runner_caster), occlusion(receiver_count) {}
 
   void run(std::span<const Receiver> part, const QueryOutputs& outputs, std::uint64_t first_index) {
     const Stopwatch watch;
-    const QueryReport report =
-        method == Method::bvh ? ao.query(part, outputs, first_index) : embree->query(ao, part, outputs, first_index);
+    const QueryReport report = caster.answer(part, outputs, first_index);
     seconds += watch.seconds();
     ray_count += report.ray_count;
     invalid_receiver_count += report.invalid_receiver_count;
   }
 
-  Method method;
-  const AmbientOcclusion& ao;
-  const reference::EmbreeReference* embree;
+  const Caster& caster;
   std::vector<float> occlusion;
   double seconds = 0;
   std::uint64_t ray_count = 0;
@@ -38,7 +33,7 @@ struct Runner {
 
 BatchCheck make_check(const Runner& checked, const Runner& other, std::uint64_t mismatched_ray_count) {
   BatchCheck check;
-  check.method = other.method;
+  check.method = other.caster.method;
   check.mismatched_ray_count = mismatched_ray_count;
   if (checked.ray_count > 0) {
     check.ray_mismatch_rate = static_cast<double>(mismatched_ray_count) / static_cast<double>(checked.ray_count);
@@ -50,18 +45,42 @@ BatchCheck make_check(const Runner& checked, const Runner& other, std::uint64_t 
 
 }  // namespace
 
-const char* name_of(Method method) { return method == Method::bvh ? "bvh" : "embree"; }
-Method other_than(Method method) { return method == Method::bvh ? Method::embree : Method::bvh; }
+const char* name_of(Method method) {
+  switch (method) {
+    case Method::bvh:
+      return "bvh";
+    case Method::embree:
+      return "embree";
+    case Method::raster:
+      break;
+  }
+  return "raster";
+}
 
-Batch run_batch(const AmbientOcclusion& ao, const reference::EmbreeReference* embree,
-                std::span<const Receiver> receivers, const BatchOptions& options, ProgressBar& progress) {
-  Runner asked(options.method, ao, embree, receivers.size());
-  Runner other(other_than(options.method), ao, embree, options.check ? receivers.size() : 0);
+Method other_than(Method method) { return method == Method::embree ? Method::bvh : Method::embree; }
+
+Answer answer_of(const AmbientOcclusion& ao) {
+  return [&ao](std::span<const Receiver> receivers, const QueryOutputs& outputs, std::uint64_t first_index) {
+    return ao.query(receivers, outputs, first_index);
+  };
+}
+
+Answer answer_of(const reference::EmbreeReference& embree, const AmbientOcclusion& ao) {
+  return [&](std::span<const Receiver> receivers, const QueryOutputs& outputs, std::uint64_t first_index) {
+    return embree.query(ao, receivers, outputs, first_index);
+  };
+}
+
+Batch run_batch(const Caster& caster, const SamplePattern& pattern, std::span<const Receiver> receivers,
+                const BatchOptions& options, ProgressBar& progress) {
+  Runner asked(caster, receivers.size());
+  std::optional<Runner> other;
+  if (options.check) other.emplace(*options.check, receivers.size());
   std::vector<glm::vec3> bent_normals(options.bent_normals ? receivers.size() : 0);
   std::uint64_t mismatched_ray_count = 0;
 
-  const std::size_t part_size = kRaysPerPart / static_cast<std::size_t>(ao.pattern().ray_count());
-  const auto word_count = static_cast<std::size_t>(ao.pattern().word_count());
+  const std::size_t part_size = kRaysPerPart / static_cast<std::size_t>(pattern.ray_count());
+  const auto word_count = static_cast<std::size_t>(pattern.word_count());
   const std::size_t mask_size = options.check ? std::min(part_size, receivers.size()) * word_count : 0;
   std::vector<std::uint64_t> asked_masks(mask_size);
   std::vector<std::uint64_t> other_masks(mask_size);
@@ -76,16 +95,16 @@ Batch run_batch(const AmbientOcclusion& ao, const reference::EmbreeReference* em
         .occlusion = part_of(asked.occlusion), .bent_normals = {}, .mask_words = masks_of(asked_masks)};
     if (options.bent_normals) outputs.bent_normals = part_of(bent_normals);
     asked.run(receivers.subspan(first, count), outputs, first);
-    if (options.check) {
-      outputs = {.occlusion = part_of(other.occlusion), .bent_normals = {}, .mask_words = masks_of(other_masks)};
-      other.run(receivers.subspan(first, count), outputs, first);
+    if (other) {
+      outputs = {.occlusion = part_of(other->occlusion), .bent_normals = {}, .mask_words = masks_of(other_masks)};
+      other->run(receivers.subspan(first, count), outputs, first);
       mismatched_ray_count += reference::count_mismatched_rays(masks_of(asked_masks), masks_of(other_masks));
     }
     progress.advance(count);
   }
 
   Batch batch;
-  if (options.check) batch.check = make_check(asked, other, mismatched_ray_count);
+  if (other) batch.check = make_check(asked, *other, mismatched_ray_count);
   batch.occlusion = std::move(asked.occlusion);
   batch.bent_normals = std::move(bent_normals);
   batch.ray_count = asked.ray_count;

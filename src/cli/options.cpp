@@ -58,28 +58,27 @@ void add_occlusion_options(CLI::App& app, OcclusionOptions& options) {
   add_parsed(app, "--seed", options.seed, parse_seed, "Seed of the per-receiver jitter (default: 0)")->type_name("S");
 }
 
-namespace {
-
 SamplePattern make_pattern(const OcclusionOptions& options) {
   const SamplePattern& pattern = SamplePattern::standard(options.ray_count);
   return options.falloff.name() == "constant" ? pattern : pattern.with_falloff(options.falloff);
 }
 
-}  // namespace
+PlaneMaskTable make_table(const OcclusionOptions& options, PlaneMasks masks) {
+  PlaneMaskTableOptions table;
+  table.masks = masks;
+  return PlaneMaskTable(make_pattern(options), table);
+}
 
 AmbientOcclusion make_query(const OccluderBvh& occluders, const OcclusionOptions& options) {
+  const KernelChoice kernel = options.kernel.value_or(KernelChoice::simd);
   QueryOptions query;
   query.radius = static_cast<float>(options.radius.value());
   query.sidedness = options.sidedness;
   query.seed = options.seed;
-  query.kernel = options.kernel == KernelChoice::scalar ? Kernel::scalar : Kernel::simd;
-  const SamplePattern pattern = make_pattern(options);
-  if (options.kernel == KernelChoice::table || options.kernel == KernelChoice::nearest) {
-    PlaneMaskTableOptions table;
-    table.masks = options.kernel == KernelChoice::table ? PlaneMasks::must_may : PlaneMasks::nearest;
-    return {occluders, PlaneMaskTable(pattern, table), query};
-  }
-  return {occluders, pattern, query};
+  query.kernel = kernel == KernelChoice::scalar ? Kernel::scalar : Kernel::simd;
+  if (kernel == KernelChoice::table) return {occluders, make_table(options, PlaneMasks::must_may), query};
+  if (kernel == KernelChoice::nearest) return {occluders, make_table(options, PlaneMasks::nearest), query};
+  return {occluders, make_pattern(options), query};
 }
 
 }  // namespace lkao::cli

@@ -51,10 +51,12 @@ struct OcclusionOptions {
   Falloff falloff = Falloff::constant();
   Sidedness sidedness = Sidedness::two_sided;
   std::uint64_t seed = 0;
-  KernelChoice kernel = KernelChoice::simd;
+  std::optional<KernelChoice> kernel;  // simd where not given
 };
 void add_occlusion_options(CLI::App& app, OcclusionOptions& options);
 
+SamplePattern make_pattern(const OcclusionOptions& options);
+PlaneMaskTable make_table(const OcclusionOptions& options, PlaneMasks masks);
 // Needs the radius.
 AmbientOcclusion make_query(const OccluderBvh& occluders, const OcclusionOptions& options);
 

@@ -1,84 +1,32 @@
 // lkao render: an image of the occlusion that a camera sees.
 #include <cstdio>
-#include <limits>
 #include <memory>
-#include <optional>
 #include <stdexcept>
 #include <string>
 
 #include <fmt/format.h>
 
 #include "cli/batch.h"
-#include "cli/camera_options.h"
 #include "cli/commands.h"
 #include "cli/json_output.h"
 #include "cli/options.h"
 #include "cli/output_files.h"
 #include "cli/parse.h"
+#include "cli/progress_bar.h"
+#include "cli/raster_method.h"
 #include "cli/render_images.h"
+#include "cli/rendering.h"
 #include "cli/report.h"
-#include "cli/scene_input.h"
-#include "cli/stopwatch.h"
 
 namespace lkao::cli {
 namespace {
 
 struct RenderOptions {
-  std::string scene;
   std::string output;
   std::string preview;
-  Size size;
-  ImageLayers layers;
-  Method method = Method::bvh;
-  bool reference = false;
-  CameraOptions camera;
-  OcclusionOptions occlusion;
+  RenderingOptions rendering;
   CommonOptions common;
 };
-
-// Everything that a rendering computes.
-struct Rendering {
-  SceneInput scene;
-  scene::Camera camera;
-  double build_seconds = 0;
-  double embree_build_seconds = 0;
-  double camera_seconds = 0;
-  scene::ReceiverImage view;
-  Batch batch;
-};
-
-Rendering compute(const RenderOptions& options, ProgressBar& progress) {
-  Rendering result;
-  progress.begin("loading " + options.scene);
-  result.scene = load_scene(options.scene);
-  const scene::Mesh& mesh = result.scene.mesh;
-  require_radius(options.occlusion.radius, result.scene);
-  const float aspect = static_cast<float>(options.size.width) / static_cast<float>(options.size.height);
-  result.camera = choose_camera(options.camera, result.scene, aspect);
-  progress.clear();
-  report_dropped_triangles(result.scene);
-
-  progress.begin("building the hierarchy");
-  Stopwatch watch;
-  const OccluderBvh occluders(mesh.view());
-  result.build_seconds = watch.lap();
-  const AmbientOcclusion ao = make_query(occluders, options.occlusion);
-  std::optional<reference::EmbreeReference> embree;
-  watch.lap();
-  if (options.reference || options.method == Method::embree) {
-    embree.emplace(mesh);
-    result.embree_build_seconds = watch.lap();
-  }
-
-  progress.begin("finding receivers");
-  result.view = scene::find_receivers(mesh, result.camera, options.size.width, options.size.height);
-  result.camera_seconds = watch.lap();
-
-  const BatchOptions batch_options{options.method, options.reference, options.layers.bent_normals};
-  result.batch = run_batch(ao, embree ? &*embree : nullptr, result.view.receivers, batch_options, progress);
-  progress.clear();
-  return result;
-}
 
 Json camera_json(const scene::Camera& camera) {
   return {{"eye", vector_json(camera.eye)},
@@ -87,7 +35,7 @@ Json camera_json(const scene::Camera& camera) {
           {"fov", camera.fov}};
 }
 
-Json document_of(const RenderOptions& options, const Rendering& result) {
+Json document_of(const RenderingOptions& options, const Rendering& result) {
   Json document;
   document["method"] = name_of(options.method);
   document["scene"] = options.scene;
@@ -95,10 +43,15 @@ Json document_of(const RenderOptions& options, const Rendering& result) {
   document["samples"] = options.occlusion.ray_count;
   document["width"] = options.size.width;
   document["height"] = options.size.height;
-  document["receivers"] = result.view.receivers.size();
+  document["receivers"] = result.view.receiver_count;
   add_batch_keys(document, result.batch);
   document["invalid_receivers"] = result.batch.invalid_receiver_count;
   add_setting_keys(document, options.occlusion);
+  if (result.raster) {
+    add_raster_keys(document, *result.raster);
+  } else {
+    add_kernel_keys(document, options.occlusion);
+  }
   document["camera"] = camera_json(result.camera);
   add_scene_keys(document, result.scene);
   document["build_seconds"] = result.build_seconds;
@@ -108,35 +61,52 @@ Json document_of(const RenderOptions& options, const Rendering& result) {
 }
 
 void print_table(const RenderOptions& options, const Rendering& result) {
+  const Size& size = options.rendering.size;
   Table table;
   add_scene_row(table, result.scene);
   table.add("prepared", fmt::format("{:.3f} s to load, {:.3f} s to build, {:.3f} s to find receivers",
                                     result.scene.load_seconds, result.build_seconds, result.camera_seconds));
-  table.add("receivers", fmt::format("{} in {} x {} pixels", grouped(result.view.receivers.size()), options.size.width,
-                                     options.size.height));
-  add_batch_rows(table, options.method, result.batch);
+  table.add("receivers",
+            fmt::format("{} in {} x {} pixels", grouped(result.view.receiver_count), size.width, size.height));
+  if (result.raster) add_raster_rows(table, *result.raster);
+  add_batch_rows(table, options.rendering.method, result.batch);
   table.add("wrote", options.output + (options.preview.empty() ? "" : ", " + options.preview));
   table.print();
+}
+
+// Faults of the method's own options.
+void check_method(const RenderingOptions& options) {
+  if (options.method != Method::raster) {
+    const char* const surplus = options.raster.device ? "--gl" : options.raster.masks ? "--masks" : nullptr;
+    if (surplus == nullptr) return;
+    throw std::invalid_argument(
+        fmt::format("{} is for --method raster, not for --method {}", surplus, name_of(options.method)));
+  }
+  require_raster_method();
+  if (options.occlusion.kernel) {
+    throw std::invalid_argument("--kernel is for --method bvh, not for --method raster, which has --masks");
+  }
 }
 
 // Faults of the options that need no scene to be seen.
 void check_options(const RenderOptions& options) {
   const bool is_png = ending_of(options.output) == ".png";
-  if (is_png && options.layers.any()) {
+  if (is_png && options.rendering.layers.any()) {
     throw std::invalid_argument(fmt::format(
         "'{}': a PNG holds the visibility only; --bent-normals, --depth and --normals need an .exr", options.output));
   }
   if (!options.preview.empty() && ending_of(options.preview) != ".png") {
     throw std::invalid_argument(fmt::format("--preview: expected a name ending in .png, got '{}'", options.preview));
   }
-  const CameraOptions& camera = options.camera;
+  check_method(options.rendering);
+  const CameraOptions& camera = options.rendering.camera;
   if (camera.eye && camera.target && *camera.eye == *camera.target) {
     throw std::invalid_argument("--eye and --target are the same point");
   }
 }
 
 void report_oddities(const Rendering& result) {
-  if (result.view.receivers.empty()) {
+  if (result.view.receiver_count == 0) {
     fmt::print(stderr, "lkao: {}: the camera sees no triangle, the image is all background\n", result.scene.name);
   }
   if (result.batch.invalid_receiver_count > 0) {
@@ -147,43 +117,48 @@ void report_oddities(const Rendering& result) {
 
 void render(const RenderOptions& options) {
   check_options(options);
-  OutputFiles outputs({options.scene});
+  OutputFiles outputs({options.rendering.scene});
   const std::string image_path = outputs.claim_image(options.output);
   const std::string preview_path = options.preview.empty() ? "" : outputs.claim_image(options.preview);
   const JsonOutput json(options.common.json_path, outputs);
 
   ProgressBar progress(!options.common.quiet);
-  const Rendering result = compute(options, progress);
+  const Rendering result = compute_rendering(options.rendering, progress);
   report_oddities(result);
 
   progress.begin("writing " + options.output);
-  write_rendering(image_path, result.view, result.batch, options.layers);
+  write_rendering(image_path, result.view, result.batch, options.rendering.layers);
   if (!preview_path.empty()) write_rendering(preview_path, result.view, result.batch, {});
   progress.clear();
-  json.write_and_commit(document_of(options, result));
+  json.write_and_commit(document_of(options.rendering, result));
   if (options.common.wants_table()) print_table(options, result);
 }
 
 void add_options(CLI::App& app, RenderOptions& options) {
-  app.add_option("scene", options.scene, "A mesh file (OBJ, PLY, STL, OFF, glTF, GLB) or builtin:NAME")
+  RenderingOptions& rendering = options.rendering;
+  app.add_option("scene", rendering.scene, "A mesh file (OBJ, PLY, STL, OFF, glTF, GLB) or builtin:NAME")
       ->required()
       ->type_name("SCENE");
   app.add_option("-o,--output", options.output, "Image: .exr holds float channels, .png a preview of the visibility")
       ->required()
       ->type_name("FILE");
   app.add_option("--preview", options.preview, "A .png preview of the visibility beside the output")->type_name("FILE");
-  add_parsed(app, "--size", options.size, parse_size, "Pixels (default: 1024x768)")->type_name("WxH");
-  add_camera_options(app, options.camera);
-  add_occlusion_options(app, options.occlusion);
+  add_parsed(app, "--size", rendering.size, parse_size, "Pixels (default: 1024x768)")->type_name("WxH");
+  add_camera_options(app, rendering.camera);
+  add_occlusion_options(app, rendering.occlusion);
   const auto parse_method = [](const std::string& text) {
-    return parse_choice<Method>(text, {{"bvh", Method::bvh}, {"embree", Method::embree}});
+    return parse_choice<Method>(text, {{"bvh", Method::bvh}, {"embree", Method::embree}, {"raster", Method::raster}});
   };
-  add_parsed(app, "--method", options.method, parse_method, "What casts the rays (default: bvh)")
-      ->type_name("bvh|embree");
-  app.add_flag("--reference", options.reference, "Cast the same rays by the other method too and count differences");
-  app.add_flag("--bent-normals", options.layers.bent_normals, "Add the channels bent.X, bent.Y, bent.Z (.exr)");
-  app.add_flag("--depth", options.layers.depth, "Add the channel depth.Z: infinity where nothing is seen (.exr)");
-  app.add_flag("--normals", options.layers.normals, "Add the channels normal.X, normal.Y, normal.Z (.exr)");
+  add_parsed(app, "--method", rendering.method, parse_method,
+             "What finds the blocked rays: the library's traversal; Embree, ray by ray; or OpenGL, which rasterises "
+             "what occluders can darken (default: bvh)")
+      ->type_name("bvh|embree|raster");
+  add_raster_options(app, rendering.raster);
+  app.add_flag("--reference", rendering.reference,
+               "Cast the same rays through Embree too (where it is the method: by bvh) and count differences");
+  app.add_flag("--bent-normals", rendering.layers.bent_normals, "Add the channels bent.X, bent.Y, bent.Z (.exr)");
+  app.add_flag("--depth", rendering.layers.depth, "Add the channel depth.Z: infinity where nothing is seen (.exr)");
+  app.add_flag("--normals", rendering.layers.normals, "Add the channels normal.X, normal.Y, normal.Z (.exr)");
   add_common_options(app, options.common);
   app.footer("An .exr has the channel occlusion: 0 is open, 1 fully blocked, and 0 where nothing is seen.");
 }
@@ -195,6 +170,7 @@ Command add_render_command(CLI::App& program) {
   CLI::App* const app = program.add_subcommand("render", "Render the occlusion that a camera sees");
   add_options(*app, *options);
   const auto run = [options] {
+    if (options->rendering.method == Method::raster) limit_gl_threads(options->common.thread_count);
     with_threads(options->common.thread_count, [&] { render(*options); });
     return kSuccess;
   };

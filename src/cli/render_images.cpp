@@ -14,19 +14,21 @@ image::Image blank(const scene::ReceiverImage& view, std::vector<std::string> ch
   return {view.width, view.height, std::move(channels), std::vector<float>(value_count, value)};
 }
 
-// Puts into `channel` of every receiver's pixel what `value_of(receiver number)` says.
+// Puts into `channel` of every pixel that sees a triangle what `value_of(pixel)` says.
 template <class ValueOf>
 void fill(image::Image& image, const std::string& channel, const scene::ReceiverImage& view, ValueOf value_of) {
   const auto stride = static_cast<std::size_t>(image.channel_count());
   float* const first = image.pixels.data() + image.channel(channel);
-  for (std::size_t k = 0; k < view.receivers.size(); ++k) first[view.pixels[k] * stride] = value_of(k);
+  for (std::size_t pixel = 0; pixel < view.receivers.size(); ++pixel) {
+    if (view.sees(pixel)) first[pixel * stride] = value_of(pixel);
+  }
 }
 
 template <class VectorOf>
 void fill_vectors(image::Image& image, const std::string& layer, const scene::ReceiverImage& view, VectorOf vector_of) {
-  fill(image, layer + ".X", view, [&](std::size_t k) { return vector_of(k).x; });
-  fill(image, layer + ".Y", view, [&](std::size_t k) { return vector_of(k).y; });
-  fill(image, layer + ".Z", view, [&](std::size_t k) { return vector_of(k).z; });
+  fill(image, layer + ".X", view, [&](std::size_t pixel) { return vector_of(pixel).x; });
+  fill(image, layer + ".Y", view, [&](std::size_t pixel) { return vector_of(pixel).y; });
+  fill(image, layer + ".Z", view, [&](std::size_t pixel) { return vector_of(pixel).z; });
 }
 
 std::vector<std::string> channel_names(const ImageLayers& layers) {
@@ -39,9 +41,11 @@ std::vector<std::string> channel_names(const ImageLayers& layers) {
 
 image::Image make_layers(const scene::ReceiverImage& view, const Batch& batch, const ImageLayers& layers) {
   image::Image image = blank(view, channel_names(layers), 0);
-  fill(image, "occlusion", view, [&](std::size_t k) { return batch.occlusion[k]; });
-  if (layers.bent_normals) fill_vectors(image, "bent", view, [&](std::size_t k) { return batch.bent_normals[k]; });
-  if (layers.normals) fill_vectors(image, "normal", view, [&](std::size_t k) { return view.receivers[k].normal; });
+  fill(image, "occlusion", view, [&](std::size_t pixel) { return batch.occlusion[pixel]; });
+  if (layers.bent_normals)
+    fill_vectors(image, "bent", view, [&](std::size_t pixel) { return batch.bent_normals[pixel]; });
+  if (layers.normals)
+    fill_vectors(image, "normal", view, [&](std::size_t pixel) { return view.receivers[pixel].normal; });
   if (layers.depth) {
     const auto stride = static_cast<std::size_t>(image.channel_count());
     float* const first = image.pixels.data() + image.channel("depth.Z");
@@ -52,7 +56,7 @@ image::Image make_layers(const scene::ReceiverImage& view, const Batch& batch, c
 
 image::Image make_preview(const scene::ReceiverImage& view, const Batch& batch) {
   image::Image occlusion = blank(view, {"occlusion"}, std::numeric_limits<float>::quiet_NaN());
-  fill(occlusion, "occlusion", view, [&](std::size_t k) { return batch.occlusion[k]; });
+  fill(occlusion, "occlusion", view, [&](std::size_t pixel) { return batch.occlusion[pixel]; });
   return image::visibility_preview(occlusion);
 }
 

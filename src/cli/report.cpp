@@ -66,11 +66,14 @@ void add_batch_keys(Json& document, const Batch& batch) {
 
 void add_setting_keys(Json& document, const OcclusionOptions& options) {
   document["falloff"] = options.falloff.name();
-  document["kernel"] = name_of(options.kernel);
-  document["isa"] = active_isa();
   document["sided"] = options.sidedness == Sidedness::one_sided ? "one" : "two";
   document["seed"] = options.seed;
   document["threads"] = tbb::this_task_arena::max_concurrency();
+}
+
+void add_kernel_keys(Json& document, const OcclusionOptions& options) {
+  document["kernel"] = name_of(options.kernel.value_or(KernelChoice::simd));
+  document["isa"] = active_isa();
 }
 
 void add_scene_keys(Json& document, const SceneInput& scene) {

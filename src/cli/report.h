@@ -35,6 +35,7 @@ void add_scene_row(Table& table, const SceneInput& scene);
 void add_batch_rows(Table& table, Method method, const Batch& batch);
 void add_batch_keys(Json& document, const Batch& batch);
 void add_setting_keys(Json& document, const OcclusionOptions& options);
+void add_kernel_keys(Json& document, const OcclusionOptions& options);
 void add_scene_keys(Json& document, const SceneInput& scene);
 
 }  // namespace lkao::cli

@@ -218,24 +218,29 @@ ReceiverImage find_receivers(const Mesh& mesh, const Camera& camera, int width, 
   image.width = width;
   image.height = height;
   image.depth.assign(pixel_count, std::numeric_limits<float>::infinity());
-  std::vector<Receiver> all(pixel_count);
+  image.receivers.assign(pixel_count, Receiver{.position = glm::vec3(std::numeric_limits<float>::quiet_NaN())});
   tbb::parallel_for(0, height, [&](int row) {
     for (int column = 0; column < width; ++column) {
       const Hit hit = cast(scene.get(), view.eye, pixel_direction(view, width, height, column, row));
       if (hit.triangle == kNothing) continue;
       const std::size_t pixel =
           static_cast<std::size_t>(row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(column);
-      all[pixel] = receiver_at(mesh, hit, view.eye);
-      image.depth[pixel] = static_cast<float>(glm::dot(glm::dvec3(all[pixel].position) - view.eye, view.forward));
+      Receiver& receiver = image.receivers[pixel];
+      receiver = receiver_at(mesh, hit, view.eye);
+      image.depth[pixel] = static_cast<float>(glm::dot(glm::dvec3(receiver.position) - view.eye, view.forward));
     }
   });
-
-  for (std::size_t pixel = 0; pixel < pixel_count; ++pixel) {
-    if (std::isinf(image.depth[pixel])) continue;
-    image.receivers.push_back(all[pixel]);
-    image.pixels.push_back(static_cast<std::uint32_t>(pixel));
-  }
+  for (std::size_t pixel = 0; pixel < pixel_count; ++pixel) image.receiver_count += image.sees(pixel) ? 1 : 0;
   return image;
+}
+
+std::vector<Receiver> seen_receivers(const ReceiverImage& image) {
+  std::vector<Receiver> receivers;
+  receivers.reserve(image.receiver_count);
+  for (std::size_t pixel = 0; pixel < image.receivers.size(); ++pixel) {
+    if (image.sees(pixel)) receivers.push_back(image.receivers[pixel]);
+  }
+  return receivers;
 }
 
 }  // namespace lkao::scene

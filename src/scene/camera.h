@@ -1,7 +1,8 @@
 // A pinhole camera, and the receivers that it sees.
 #pragma once
 
-#include <cstdint>
+#include <cmath>
+#include <cstddef>
 #include <vector>
 
 #include <glm/vec3.hpp>
@@ -30,11 +31,14 @@ Camera frame(const Bounds& bounds, float aspect, const glm::vec3& up = {0, 1, 0}
 struct ReceiverImage {
   int width = 0;
   int height = 0;
-  // Of the pixels that see a triangle, in pixel order: position, and the triangle's normal turned towards the eye. No
-  // primitive is excluded: the query's surface offset keeps receivers off their own triangle.
+  // One a pixel, so that a receiver's index in a batch is its pixel (row * width + column): position, and the
+  // triangle's normal turned towards the eye. No primitive is excluded: the query's surface offset keeps receivers off
+  // their own triangle. Where nothing is seen, the position is NaN and the normal zero: no query answers that.
   std::vector<Receiver> receivers;
-  std::vector<std::uint32_t> pixels;  // pixel number (row * width + column) of each receiver
-  std::vector<float> depth;           // distance along the view axis, one a pixel; +infinity where nothing is seen
+  std::vector<float> depth;        // distance along the view axis, one a pixel; +infinity where nothing is seen
+  std::size_t receiver_count = 0;  // of the pixels that see a triangle
+
+  bool sees(std::size_t pixel) const { return !std::isinf(depth[pixel]); }
 };
 
 // Casts one ray through the centre of each pixel, in parallel. Positions are interpolated from the triangle's corners,
@@ -42,5 +46,8 @@ struct ReceiverImage {
 // seen. Throws std::invalid_argument for a camera that validate() refuses and sizes outside 1 to 32768,
 // std::runtime_error where Embree runs out of memory.
 ReceiverImage find_receivers(const Mesh& mesh, const Camera& camera, int width, int height);
+
+// The receivers of the pixels that see a triangle, in pixel order.
+std::vector<Receiver> seen_receivers(const ReceiverImage& image);
 
 }  // namespace lkao::scene

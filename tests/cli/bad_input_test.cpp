@@ -72,7 +72,7 @@ TEST_F(BadInput, Threads) {
 TEST_F(BadInput, Choices) {
   expect_rejected(render("builtin:wall", {"--falloff", "cubic"}), {"--falloff", "cubic", "smooth"});
   expect_rejected(render("builtin:wall", {"--sided", "both"}), {"--sided", "both"});
-  expect_rejected(render("builtin:wall", {"--method", "gpu"}), {"--method", "gpu", "bvh or embree"});
+  expect_rejected(render("builtin:wall", {"--method", "gpu"}), {"--method", "gpu", "bvh or embree or raster"});
 }
 TEST_F(BadInput, Camera) {
   expect_rejected(render("builtin:wall", {"--eye", "1,2,3", "--target", "1,2,3"}), {"--eye", "--target", "same"});

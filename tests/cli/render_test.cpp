@@ -87,6 +87,25 @@ TEST_F(Render, MeanOcclusionIsThatOfTheImage) {
   EXPECT_NEAR(json["occlusion_mean"], sum / count, 1e-9);
 }
 
+TEST_F(Render, PixelsThatSeeNothingAreNoReceivers) {
+  const std::string scene = write_file("roofed.ply", roofed_square_ply());
+  expect_success({"render", scene, "-o", path("out.exr"), "--size", "32x24", "--radius", "1", "--samples", "64",
+                  "--eye", "0.3,2,3", "--target", "0,0,0", "--depth", "--reference", "--json", path("out.json")});
+  const nlohmann::json json = read_json("out.json");
+  const image::Image image = image::read_image(path("out.exr"));
+  const auto stride = static_cast<std::size_t>(image.channel_count());
+  int seen_count = 0;
+  for (auto i = static_cast<std::size_t>(image.channel("depth.Z")); i < image.pixels.size(); i += stride) {
+    seen_count += std::isinf(image.pixels[i]) ? 0 : 1;
+  }
+  EXPECT_GT(seen_count, 32 * 24 / 8);
+  EXPECT_LT(seen_count, 32 * 24 * 7 / 8);
+  EXPECT_EQ(json["receivers"], seen_count);
+  EXPECT_EQ(json["rays"], seen_count * 64);
+  EXPECT_EQ(json["invalid_receivers"], 0);
+  EXPECT_EQ(json["reference"]["mismatched_rays"], 0);
+}
+
 TEST_F(Render, AgreesWithEmbreeRayByRay) {
   for (const char* sided : {"one", "two"}) {
     for (const char* falloff : {"constant", "exponential"}) {

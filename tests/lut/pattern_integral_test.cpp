@@ -17,7 +17,7 @@ const std::vector<bench::PatternError>& errors_in_the_atrium() {
     const scene::BuiltinScene& atrium = scene::builtin_scene("atrium");
     const scene::Mesh mesh = scene::make_atrium();
     return bench::measure_pattern_errors(
-        mesh, atrium.radii.large, scene::find_receivers(mesh, atrium.camera, 32, 24).receivers,
+        mesh, atrium.radii.large, scene::seen_receivers(scene::find_receivers(mesh, atrium.camera, 32, 24)),
         {{PatternKind::lloyd, 128}, {PatternKind::lloyd, 1024}, {PatternKind::paper, 128}},
         {.reference_ray_count = 16384, .seed_count = 3});
   }();

@@ -1,0 +1,71 @@
+#include "raster/rasterizer.h"
+
+#include <chrono>
+#include <stdexcept>
+
+#include "raster/camera.h"
+
+namespace lkao::raster {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+void require(bool condition, const char* missing) {
+  if (!condition) throw std::runtime_error(missing);
+}
+
+}  // namespace
+
+Rasterizer::Rasterizer(gl::Device device) : context_(std::make_unique<gl::HeadlessContext>(device)) {
+  context_->make_current();
+}
+
+void Rasterizer::require_size(int width, int height) const { require_texture_size(width, height); }
+
+void Rasterizer::set_view(const scene::Camera& camera, const scene::ReceiverImage& image) {
+  drawn_ = Drawn::nothing;
+  textures_.reset();  // the old ones first: there may not be room for both
+  textures_.emplace(image);
+  camera_ = gl_camera(camera, image.width, image.height);
+}
+
+void Rasterizer::start_pass(const gl::PassSetup& setup, const scene::Mesh& mesh, const PlaneMaskTable& table) {
+  drawn_ = Drawn::nothing;
+  pass_.reset();
+  pass_.emplace(setup);
+  pass_->set_occluders(mesh.positions, mesh.triangles);
+  pass_->set_table(table);
+}
+
+gl::OcclusionPass& Rasterizer::pass() {
+  require(pass_.has_value(), "no pass: call start_pass() first");
+  return *pass_;
+}
+
+double Rasterizer::draw(const gl::DrawOptions& options, bool with_bent_normals) {
+  gl::OcclusionPass& pass = this->pass();
+  require(textures_.has_value(), "no view: call set_view() first");
+  drawn_ = Drawn::nothing;
+  const gl::GBuffer g_buffer = textures_->g_buffer();
+  const gl::ResolveTargets targets = textures_->targets(with_bent_normals);
+  glFinish();
+  const Clock::time_point start = Clock::now();
+  pass.draw(g_buffer, camera_, options);
+  pass.resolve(targets);
+  glFinish();
+  const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  drawn_ = with_bent_normals ? Drawn::bent_normals_too : Drawn::occlusion;
+  return seconds;
+}
+
+std::vector<float> Rasterizer::read_occlusion() const {
+  require(drawn_ != Drawn::nothing, "no frame: call draw() first");
+  return textures_->read_occlusion();
+}
+
+std::vector<glm::vec3> Rasterizer::read_bent_normals() const {
+  require(drawn_ == Drawn::bent_normals_too, "no bent normals: call draw() with them first");
+  return textures_->read_bent_normals();
+}
+
+}  // namespace lkao::raster
