@@ -16,5 +16,7 @@ struct Command {
 Command add_rays_command(CLI::App& program);
 // Builds against Embree.
 Command add_build_command(CLI::App& program);
+// The rasterised method against the query; where it is built.
+Command add_raster_command(CLI::App& program);
 
 }  // namespace lkao::bench

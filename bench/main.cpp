@@ -8,7 +8,10 @@ int main(int argc, char** argv) {
   using namespace lkao::bench;
   CLI::App program("Speed of lkao, against Embree on the same rays.", "lkao-bench");
   program.require_subcommand(1);
-  const std::vector<Command> commands = {add_rays_command(program), add_build_command(program)};
+  std::vector<Command> commands = {add_rays_command(program), add_build_command(program)};
+#if LKAO_BENCH_GL
+  commands.push_back(add_raster_command(program));
+#endif
   return run_program(program, argc, argv, [&] {
     for (const Command& command : commands) {
       if (command.app->parsed()) command.run();

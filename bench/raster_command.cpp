@@ -1,0 +1,176 @@
+// lkao-bench raster: the rasterised method, its time and its errors against the CPU's exact query.
+#include <cstdio>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "commands.h"
+#include "csv_file.h"
+#include "raster_frames.h"
+#include "raster_report.h"
+#include "study_scenes.h"
+
+namespace lkao::bench {
+namespace {
+
+const std::vector<std::string> kStudies = {"methods", "culls", "shapes", "back_ends"};
+
+struct Options {
+  StudySceneOptions scenes = {.views = {}, .names = {}, .width = 512, .height = 384};
+  FrameOptions frames;
+  std::vector<float> radii;  // empty: the scene's own
+  std::vector<std::string> studies = kStudies;
+  std::string csv;
+};
+
+std::vector<FrameSetup> methods() {
+  return {{.name = "nearest cells", .masks = PlaneMasks::nearest},
+          {.name = "exact", .masks = PlaneMasks::must_may},
+          {.name = "exact in double",
+           .masks = PlaneMasks::must_may,
+           .pass = {.precision = gl::Precision::double_precision}}};
+}
+
+// Table 2 of Laine & Karras 2010, Sec. 6: one-sided triangles, or the third test would have nothing to do. The pass's
+// own test of the reach stays off, since it comes after them and would take their work.
+std::vector<FrameSetup> culls() {
+  gl::DrawOptions draw{.two_sided = false, .culls = {false, false, false, false, false, false}};
+  std::vector<FrameSetup> setups = {{.name = "depth test only", .draw = draw}};
+  const std::pair<const char*, bool gl::Culls::*> added[] = {{"+ 1. far depth", &gl::Culls::far_depth},
+                                                             {"+ 2. bounding sphere", &gl::Culls::bounding_sphere},
+                                                             {"+ 3. facing", &gl::Culls::facing},
+                                                             {"+ 4. plane distance", &gl::Culls::plane_distance},
+                                                             {"+ 5. horizon", &gl::Culls::horizon}};
+  for (const auto& [name, cull] : added) {
+    draw.culls.*cull = true;
+    setups.push_back({.name = name, .draw = draw});
+  }
+  return setups;
+}
+
+// The paper's alpha, from prisms only to billboards only; 0.2 comes last, to be compared with.
+std::vector<FrameSetup> shapes() {
+  std::vector<FrameSetup> setups;
+  for (const float alpha : {0.0f, 0.05f, 0.1f, 0.4f, 0.8f, std::numeric_limits<float>::infinity(), 0.2f}) {
+    const char* note = alpha == 0 ? " (prisms)" : alpha > 1 ? " (billboards)" : "";
+    setups.push_back({.name = fmt::format("alpha {:g}{}", alpha, note), .draw = {.billboard_threshold = alpha}});
+  }
+  return setups;
+}
+
+std::vector<FrameSetup> back_ends() {
+  using gl::Accumulator, gl::GeometryBackEnd;
+  std::vector<FrameSetup> setups;
+  for (const GeometryBackEnd geometry : {GeometryBackEnd::vertex_pulling, GeometryBackEnd::geometry_shader}) {
+    for (const Accumulator accumulator : {Accumulator::logic_op, Accumulator::ssbo}) {
+      const std::string name =
+          fmt::format("{} + {}", geometry == GeometryBackEnd::vertex_pulling ? "vertex pulling" : "geometry shader",
+                      accumulator == Accumulator::logic_op ? "logic op" : "atomics");
+      setups.push_back({.name = name, .pass = {.geometry = geometry, .accumulator = accumulator}});
+    }
+  }
+  return setups;
+}
+
+std::vector<FrameSetup> setups_of(const std::string& study) {
+  if (study == "methods") return methods();
+  if (study == "culls") return culls();
+  return study == "shapes" ? shapes() : back_ends();
+}
+
+class Studies {
+ public:
+  explicit Studies(const Options& options)
+      : options_(options),
+        names_(study_scene_names(options.scenes)),
+        csv_(options.csv, raster_csv_heading()),
+        rasterizer_(options.frames.device) {}
+
+  void run() {
+    fmt::print("{} ({}), {} x {} pixels, {} rays\n{}", rasterizer_.context().renderer(),
+               rasterizer_.context().version(), options_.scenes.width, options_.scenes.height,
+               options_.frames.ray_count, raster_table_heading());
+    for (const std::string& name : names_) {
+      StudySceneOptions one = options_.scenes;
+      one.names = {name};
+      study_scene(load_study_scenes(one).front());
+    }
+  }
+
+ private:
+  void study_scene(const StudyScene& scene) {
+    for (const float radius : options_.radii.empty() ? scene.radii : options_.radii) {
+      RasterFrames frames(rasterizer_, scene, radius, options_.frames);
+      for (const std::string& study : options_.studies) report(run_study(frames, {scene.name, radius, study, {}, {}}));
+    }
+  }
+
+  static RasterStudy run_study(RasterFrames& frames, RasterStudy study) {
+    const std::vector<FrameSetup> setups = setups_of(study.name);
+    for (const FrameSetup& setup : setups) study.variants.push_back(setup.name);
+    study.results = frames.draw(setups, study.name == "culls" || study.name == "shapes");
+    if (study.name == "methods") {
+      study.variants.push_back("the query on the CPU");
+      study.results.push_back(frames.query());
+    }
+    return study;
+  }
+
+  void report(const RasterStudy& study) {
+    csv_.write(raster_csv_rows(study));
+    fmt::print("{}", raster_table_rows(study));
+    std::fflush(stdout);
+  }
+
+  Options options_;
+  std::vector<std::string> names_;
+  CsvFile csv_;
+  raster::Rasterizer rasterizer_;
+};
+
+void check(const Options& options) {
+  if (!is_valid_ray_count(options.frames.ray_count)) {
+    throw std::invalid_argument(fmt::format("--samples must be a multiple of {} from {} to {}, not {}", kRayCountStep,
+                                            kMinRayCount, kMaxRayCount, options.frames.ray_count));
+  }
+}
+
+}  // namespace
+
+Command add_raster_command(CLI::App& program) {
+  auto options = std::make_shared<Options>();
+  CLI::App* app = program.add_subcommand("raster", "The rasterised method: time and errors against the CPU's query.");
+  app->add_option("--views", options->scenes.views, "scenes of this views.json instead of built-in ones");
+  app->add_option("--scenes", options->scenes.names, "names of scenes (default: all; built in: atrium, city)")
+      ->delimiter(',');
+  app->add_option("--radii", options->radii, "AO radii (default: each scene's own)")
+      ->delimiter(',')
+      ->check(CLI::PositiveNumber);
+  app->add_option("--width", options->scenes.width)->check(CLI::Range(1, 16384))->capture_default_str();
+  app->add_option("--height", options->scenes.height)->check(CLI::Range(1, 16384))->capture_default_str();
+  app->add_option("--samples", options->frames.ray_count, "rays a receiver")->capture_default_str();
+  app->add_option("--studies", options->studies, "methods, culls, shapes, back_ends (default: all)")
+      ->delimiter(',')
+      ->check(CLI::IsMember(kStudies));
+  app->add_option("--rounds", options->frames.round_count, "frames, of which the median counts")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  const std::map<std::string, gl::Device> devices = {
+      {"auto", gl::Device::automatic}, {"hardware", gl::Device::hardware}, {"software", gl::Device::software}};
+  app->add_option("--gl", options->frames.device, "which OpenGL to use")
+      ->transform(CLI::CheckedTransformer(devices))
+      ->default_str("auto");
+  app->add_option("--csv", options->csv, "write every measurement to this file");
+  return {app, [options] {
+            check(*options);
+            Studies(*options).run();
+          }};
+}
+
+}  // namespace lkao::bench

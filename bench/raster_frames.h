@@ -1,0 +1,74 @@
+// Frames of the rasterised method, timed and compared with the CPU's exact query at the same receivers.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "image/metrics.h"
+#include "lkao/gl.h"
+#include "lkao/lkao.h"
+#include "raster/rasterizer.h"
+#include "study_scenes.h"
+
+namespace lkao::bench {
+
+// What is drawn: a pass with its table, and the options of its frames.
+struct FrameSetup {
+  std::string name;
+  PlaneMasks masks = PlaneMasks::nearest;
+  gl::PassSetup pass = {};
+  gl::DrawOptions draw = {};  // the radius is the cell's
+};
+
+struct FrameResult {
+  double milliseconds = 0;  // of draw and resolve, the median
+  double mrays_per_second = 0;
+  double mismatch_rate = 0;   // share of the rays whose answer differs from the query's
+  image::Metrics error;       // of the occlusion
+  gl::FragmentCounts counts;  // zeros where they were not wanted
+};
+
+struct FrameOptions {
+  int ray_count = 128;
+  int nearest_resolution = 128;  // of the tables
+  int exact_resolution = 64;
+  int round_count = 3;
+  gl::Device device = gl::Device::automatic;
+};
+
+// One scene at one radius.
+class RasterFrames {
+ public:
+  RasterFrames(raster::Rasterizer& rasterizer, const StudyScene& scene, float radius, const FrameOptions& options);
+
+  // Draws with one pass after the other; frames of a pass that differ in their options only take turns, round after
+  // round. With `count`, fragments are counted by a further pass that is not timed.
+  std::vector<FrameResult> draw(const std::vector<FrameSetup>& setups, bool count);
+
+  // The query itself on all threads: milliseconds and Mrays/s, and robust against nothing.
+  FrameResult query();
+
+ private:
+  struct Answers {
+    std::vector<float> occlusion;
+    std::vector<std::uint64_t> masks;
+    std::uint64_t ray_count = 0;
+    double seconds = 0;
+  };
+
+  const Answers& answers(Sidedness sidedness);
+  gl::DrawOptions options_of(const FrameSetup& setup) const;
+  void start_pass(const FrameSetup& setup, bool count);
+  FrameResult compare(const FrameSetup& setup, const std::vector<double>& seconds);
+
+  raster::Rasterizer& rasterizer_;
+  const StudyScene& scene_;
+  float radius_;
+  FrameOptions options_;
+  SamplePattern pattern_;
+  std::map<Sidedness, Answers> answers_;
+};
+
+}  // namespace lkao::bench
