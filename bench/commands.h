@@ -18,5 +18,7 @@ Command add_rays_command(CLI::App& program);
 Command add_build_command(CLI::App& program);
 // The rasterised method against the query; where it is built.
 Command add_raster_command(CLI::App& program);
+// Levels of detail, by both; where OpenGL is built.
+Command add_lod_command(CLI::App& program);
 
 }  // namespace lkao::bench

@@ -11,6 +11,7 @@ int main(int argc, char** argv) {
   std::vector<Command> commands = {add_rays_command(program), add_build_command(program)};
 #if LKAO_BENCH_GL
   commands.push_back(add_raster_command(program));
+  commands.push_back(add_lod_command(program));
 #endif
   return run_program(program, argc, argv, [&] {
     for (const Command& command : commands) {

@@ -1,5 +1,7 @@
 #include "raster_frames.h"
 
+#include <cmath>
+
 #include "cli/stopwatch.h"
 #include "median.h"
 #include "reference/embree_reference.h"
@@ -8,11 +10,22 @@ namespace lkao::bench {
 namespace {
 
 bool share_a_pass(const FrameSetup& a, const FrameSetup& b) {
-  return a.masks == b.masks && a.pass.geometry == b.pass.geometry && a.pass.accumulator == b.pass.accumulator &&
-         a.pass.precision == b.pass.precision;
+  return a.masks == b.masks && a.levels == b.levels && a.pass.geometry == b.pass.geometry &&
+         a.pass.accumulator == b.pass.accumulator && a.pass.precision == b.pass.precision;
 }
 
 }  // namespace
+
+double mean_change(std::span<const float> values, std::span<const float> from) {
+  double sum = 0;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (std::isnan(values[i]) || std::isnan(from[i])) continue;
+    sum += static_cast<double>(values[i]) - static_cast<double>(from[i]);
+    ++count;
+  }
+  return count > 0 ? sum / static_cast<double>(count) : 0;
+}
 
 RasterFrames::RasterFrames(raster::Rasterizer& rasterizer, const StudyScene& scene, float radius,
                            const FrameOptions& options)
@@ -86,7 +99,11 @@ void RasterFrames::start_pass(const FrameSetup& setup, bool count) {
       {.resolution = is_exact ? options_.exact_resolution : options_.nearest_resolution, .masks = setup.masks});
   gl::PassSetup pass = setup.pass;
   pass.count_fragments = count;
-  rasterizer_.start_pass(pass, scene_.mesh, table);
+  if (setup.levels != nullptr) {
+    rasterizer_.start_pass(pass, setup.levels->mesh, table, setup.levels->ranges);
+  } else {
+    rasterizer_.start_pass(pass, scene_.mesh, table);
+  }
   // A driver leaves some of its work to the first frame: one that has next to nothing to draw.
   gl::DrawOptions options = setup.draw;
   options.radius = 1e-4f * radius_;
@@ -101,7 +118,9 @@ FrameResult RasterFrames::compare(const FrameSetup& setup, const std::vector<dou
   result.mrays_per_second = 1e-3 * ray_count / result.milliseconds;
   const std::uint64_t wrong_count = reference::count_mismatched_rays(rasterizer_.pass().read_masks(), exact.masks);
   result.mismatch_rate = static_cast<double>(wrong_count) / ray_count;
-  result.error = image::compare(rasterizer_.read_occlusion(), exact.occlusion);
+  const std::vector<float> occlusion = rasterizer_.read_occlusion();
+  result.error = image::compare(occlusion, exact.occlusion);
+  result.mean_change = mean_change(occlusion, exact.occlusion);
   return result;
 }
 

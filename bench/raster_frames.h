@@ -3,12 +3,14 @@
 
 #include <cstdint>
 #include <map>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "image/metrics.h"
 #include "lkao/gl.h"
 #include "lkao/lkao.h"
+#include "lod/occluders.h"
 #include "raster/rasterizer.h"
 #include "study_scenes.h"
 
@@ -18,6 +20,7 @@ namespace lkao::bench {
 struct FrameSetup {
   std::string name;
   PlaneMasks masks = PlaneMasks::nearest;
+  const lod::RangedMesh* levels = nullptr;  // in place of the scene's mesh
   gl::PassSetup pass = {};
   gl::DrawOptions draw = {};  // the radius is the cell's
 };
@@ -26,6 +29,7 @@ struct FrameResult {
   double milliseconds = 0;  // of draw and resolve, the median
   double mrays_per_second = 0;
   double mismatch_rate = 0;   // share of the rays whose answer differs from the query's
+  double mean_change = 0;     // of the occlusion, from the query's
   image::Metrics error;       // of the occlusion
   gl::FragmentCounts counts;  // zeros where they were not wanted
 };
@@ -37,6 +41,9 @@ struct FrameOptions {
   int round_count = 3;
   gl::Device device = gl::Device::automatic;
 };
+
+// The mean of `values` - `from`, over those where neither is NaN.
+double mean_change(std::span<const float> values, std::span<const float> from);
 
 // One scene at one radius.
 class RasterFrames {

@@ -58,7 +58,7 @@ Bake compute(const BakeOptions& options, ProgressBar& progress) {
   const Stopwatch watch;
   const OccluderBvh occluders(mesh.view());
   result.build_seconds = watch.seconds();
-  const AmbientOcclusion ao = make_query(occluders, options.occlusion);
+  const AmbientOcclusion ao = make_query({{occluders}}, options.occlusion);
 
   result.batch = run_batch({Method::bvh, answer_of(ao)}, ao.pattern(), vertex_receivers(mesh), {}, progress);
   progress.clear();

@@ -24,5 +24,6 @@ Command add_render_command(CLI::App& program);
 Command add_bake_command(CLI::App& program);
 Command add_compare_command(CLI::App& program);
 Command add_info_command(CLI::App& program);
+Command add_simplify_command(CLI::App& program);
 
 }  // namespace lkao::cli

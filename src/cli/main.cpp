@@ -41,7 +41,8 @@ int run(int argc, char** argv) {
   program.set_version_flag("--version", "lkao " LKAO_VERSION);
   program.require_subcommand(0, 1);
   const std::vector<Command> commands = {add_render_command(program), add_bake_command(program),
-                                         add_compare_command(program), add_info_command(program)};
+                                         add_compare_command(program), add_info_command(program),
+                                         add_simplify_command(program)};
 
   if (argc > 1 && argv[1][0] != '-') check_command_name(commands, argv[1]);
   try {

@@ -10,8 +10,8 @@ struct RasterMethod::State {};
 RasterMethod::RasterMethod(const RasterOptions&, const Size&) { require_raster_method(); }
 RasterMethod::~RasterMethod() = default;
 
-RasterFrame RasterMethod::draw(const scene::Mesh&, const scene::Camera&, const scene::ReceiverImage&,
-                               const OcclusionOptions&, const FrameOptions&) {
+RasterFrame RasterMethod::draw(const scene::Mesh&, std::span<const glm::vec2>, const scene::Camera&,
+                               const scene::ReceiverImage&, const OcclusionOptions&, const FrameOptions&) {
   require_raster_method();
   return {};
 }

@@ -69,16 +69,17 @@ PlaneMaskTable make_table(const OcclusionOptions& options, PlaneMasks masks) {
   return PlaneMaskTable(make_pattern(options), table);
 }
 
-AmbientOcclusion make_query(const OccluderBvh& occluders, const OcclusionOptions& options) {
+AmbientOcclusion make_query(std::vector<OccluderLevel> levels, const OcclusionOptions& options) {
   const KernelChoice kernel = options.kernel.value_or(KernelChoice::simd);
   QueryOptions query;
   query.radius = static_cast<float>(options.radius.value());
   query.sidedness = options.sidedness;
   query.seed = options.seed;
   query.kernel = kernel == KernelChoice::scalar ? Kernel::scalar : Kernel::simd;
+  const OccluderBvh& occluders = levels.front().occluders;
   if (kernel == KernelChoice::table) return {occluders, make_table(options, PlaneMasks::must_may), query};
   if (kernel == KernelChoice::nearest) return {occluders, make_table(options, PlaneMasks::nearest), query};
-  return {occluders, make_pattern(options), query};
+  return {std::move(levels), make_pattern(options), query};
 }
 
 }  // namespace lkao::cli

@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/task_arena.h>
@@ -57,8 +58,8 @@ void add_occlusion_options(CLI::App& app, OcclusionOptions& options);
 
 SamplePattern make_pattern(const OcclusionOptions& options);
 PlaneMaskTable make_table(const OcclusionOptions& options, PlaneMasks masks);
-// Needs the radius.
-AmbientOcclusion make_query(const OccluderBvh& occluders, const OcclusionOptions& options);
+// Needs the radius; by the exact kernels only where there are several levels.
+AmbientOcclusion make_query(std::vector<OccluderLevel> levels, const OcclusionOptions& options);
 
 // Calls `function` so that everything parallel in it uses the given number of threads.
 template <class Function>

@@ -60,15 +60,16 @@ RasterMethod::RasterMethod(const RasterOptions& options, const Size& size) : sta
 
 RasterMethod::~RasterMethod() = default;
 
-RasterFrame RasterMethod::draw(const scene::Mesh& mesh, const scene::Camera& camera, const scene::ReceiverImage& view,
-                               const OcclusionOptions& options, const FrameOptions& wanted) {
+RasterFrame RasterMethod::draw(const scene::Mesh& mesh, std::span<const glm::vec2> ranges, const scene::Camera& camera,
+                               const scene::ReceiverImage& view, const OcclusionOptions& options,
+                               const FrameOptions& wanted) {
   raster::Rasterizer& rasterizer = state_->rasterizer;
   const gl::HeadlessContext& context = rasterizer.context();
   RasterFrame frame;
   RasterReport& report = frame.report;
   const Stopwatch watch;
   rasterizer.set_view(camera, view);
-  rasterizer.start_pass({}, mesh, make_table(options, state_->masks));
+  rasterizer.start_pass({}, mesh, make_table(options, state_->masks), ranges);
   report.setup_seconds = watch.seconds();
   const std::vector<double> seconds = draw_repeatedly(rasterizer, draw_options(options), wanted.bent_normals);
 

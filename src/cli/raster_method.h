@@ -4,10 +4,12 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include <CLI/CLI.hpp>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include "cli/batch.h"
@@ -67,9 +69,10 @@ class RasterMethod {
   RasterMethod(const RasterMethod&) = delete;
   RasterMethod& operator=(const RasterMethod&) = delete;
 
-  // The pixels of `view`, which `camera` sees, in `mesh`. Needs the radius of `options`.
-  RasterFrame draw(const scene::Mesh& mesh, const scene::Camera& camera, const scene::ReceiverImage& view,
-                   const OcclusionOptions& options, const FrameOptions& wanted);
+  // The pixels of `view`, which `camera` sees, among the occluders of `mesh`; `ranges` as gl::OcclusionPass wants them.
+  // Needs the radius of `options`.
+  RasterFrame draw(const scene::Mesh& mesh, std::span<const glm::vec2> ranges, const scene::Camera& camera,
+                   const scene::ReceiverImage& view, const OcclusionOptions& options, const FrameOptions& wanted);
 
  private:
   struct State;

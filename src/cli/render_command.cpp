@@ -54,6 +54,7 @@ Json document_of(const RenderingOptions& options, const Rendering& result) {
   }
   document["camera"] = camera_json(result.camera);
   add_scene_keys(document, result.scene);
+  if (result.chain) document["lod"] = lod_json(*result.chain, result.lod_seconds);
   document["build_seconds"] = result.build_seconds;
   if (result.embree_build_seconds > 0) document["embree_build_seconds"] = result.embree_build_seconds;
   document["camera_seconds"] = result.camera_seconds;
@@ -68,10 +69,24 @@ void print_table(const RenderOptions& options, const Rendering& result) {
                                     result.scene.load_seconds, result.build_seconds, result.camera_seconds));
   table.add("receivers",
             fmt::format("{} in {} x {} pixels", grouped(result.view.receiver_count), size.width, size.height));
+  if (result.chain) add_lod_row(table, *result.chain, result.lod_seconds);
   if (result.raster) add_raster_rows(table, *result.raster);
   add_batch_rows(table, options.rendering.method, result.batch);
   table.add("wrote", options.output + (options.preview.empty() ? "" : ", " + options.preview));
   table.print();
+}
+
+// Levels need a method that takes them.
+void check_lod(const RenderingOptions& options) {
+  if (!options.lod) return;
+  if (options.method == Method::embree) {
+    throw std::invalid_argument("--lod is for --method bvh and raster, not for --method embree");
+  }
+  const KernelChoice kernel = options.occlusion.kernel.value_or(KernelChoice::simd);
+  if (kernel == KernelChoice::table || kernel == KernelChoice::nearest) {
+    throw std::invalid_argument(
+        fmt::format("--lod is for --kernel simd and scalar, not for --kernel {}", name_of(kernel)));
+  }
 }
 
 // Faults of the method's own options.
@@ -99,6 +114,7 @@ void check_options(const RenderOptions& options) {
     throw std::invalid_argument(fmt::format("--preview: expected a name ending in .png, got '{}'", options.preview));
   }
   check_method(options.rendering);
+  check_lod(options.rendering);
   const CameraOptions& camera = options.rendering.camera;
   if (camera.eye && camera.target && *camera.eye == *camera.target) {
     throw std::invalid_argument("--eye and --target are the same point");
@@ -154,6 +170,11 @@ void add_options(CLI::App& app, RenderOptions& options) {
              "what occluders can darken (default: bvh)")
       ->type_name("bvh|embree|raster");
   add_raster_options(app, rendering.raster);
+  add_parsed(
+      app, "--lod", rendering.lod, parse_lod,
+      "Simplified occluders where only distance sees them: k=3,levels=4,epsilon=E,growth=3, any of them left out "
+      "(epsilon: from the radius), or a file of lkao simplify. With --reference: against the whole scene")
+      ->type_name("KEY=NUMBER,...|FILE");
   app.add_flag("--reference", rendering.reference,
                "Cast the same rays through Embree too (where it is the method: by bvh) and count differences");
   app.add_flag("--bent-normals", rendering.layers.bent_normals, "Add the channels bent.X, bent.Y, bent.Z (.exr)");

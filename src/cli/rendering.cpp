@@ -1,8 +1,11 @@
 #include "cli/rendering.h"
 
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
 #include "cli/stopwatch.h"
+#include "lod/occluders.h"
 
 namespace lkao::cli {
 namespace {
@@ -36,15 +39,24 @@ void load(const RenderingOptions& options, Rendering& result, ProgressBar& progr
   report_dropped_triangles(result.scene);
 }
 
+void make_levels(const RenderingOptions& options, Rendering& result, ProgressBar& progress) {
+  if (!options.lod) return;
+  const Stopwatch watch;
+  const auto radius = static_cast<float>(options.occlusion.radius.value());
+  result.chain = make_chain(*options.lod, result.scene.mesh, radius, progress);
+  result.lod_seconds = watch.seconds();
+}
+
 // The hierarchy, and Embree's where it takes part. Embree gets its rays from the query.
 void build(const RenderingOptions& options, Casters& casters, Rendering& result, ProgressBar& progress) {
   if (options.method == Method::raster && !options.reference) return;
   const scene::Mesh& mesh = result.scene.mesh;
   progress.begin("building the hierarchy");
   Stopwatch watch;
-  const OccluderBvh occluders(mesh.view());
+  std::vector<OccluderLevel> levels =
+      result.chain ? lod::build_levels(*result.chain) : std::vector{OccluderLevel{OccluderBvh(mesh.view())}};
   result.build_seconds = watch.lap();
-  casters.ao.emplace(make_query(occluders, options.occlusion));
+  casters.ao.emplace(make_query(std::move(levels), options.occlusion));
   watch.lap();
   if (options.method == Method::bvh && !options.reference) return;
   casters.embree.emplace(mesh);
@@ -70,6 +82,7 @@ Rendering compute_rendering(const RenderingOptions& options, ProgressBar& progre
   // First: where there is no such device, nothing else is worth doing.
   if (options.method == Method::raster) raster.emplace(options.raster, options.size);
   load(options, result, progress);
+  make_levels(options, result, progress);
   Casters casters;
   build(options, casters, result, progress);
 
@@ -80,8 +93,10 @@ Rendering compute_rendering(const RenderingOptions& options, ProgressBar& progre
 
   if (raster) {
     progress.begin("drawing");
-    casters.frame = raster->draw(result.scene.mesh, result.camera, result.view, options.occlusion,
-                                 {.bent_normals = options.layers.bent_normals, .masks = options.reference});
+    const lod::RangedMesh merged = result.chain ? lod::merge(*result.chain) : lod::RangedMesh{};
+    casters.frame =
+        raster->draw(result.chain ? merged.mesh : result.scene.mesh, merged.ranges, result.camera, result.view,
+                     options.occlusion, {.bent_normals = options.layers.bent_normals, .masks = options.reference});
     result.raster = casters.frame->report;
   }
   result.batch = ask(options, casters, result.view, progress);

@@ -7,6 +7,7 @@
 
 #include "cli/batch.h"
 #include "cli/camera_options.h"
+#include "cli/lod_option.h"
 #include "cli/options.h"
 #include "cli/parse.h"
 #include "cli/progress_bar.h"
@@ -26,11 +27,14 @@ struct RenderingOptions {
   CameraOptions camera;
   OcclusionOptions occlusion;
   RasterOptions raster;
+  std::optional<LodOption> lod;
 };
 
 struct Rendering {
   SceneInput scene;
   scene::Camera camera;
+  std::optional<lod::Chain> chain;  // where there are levels of detail
+  double lod_seconds = 0;
   double build_seconds = 0;
   double embree_build_seconds = 0;
   double camera_seconds = 0;

@@ -38,6 +38,7 @@ if(LKAO_BUILD_TOOLS)
   lkao_find(assimp libassimp-dev CONFIG)
   lkao_find(CLI11 libcli11-dev CONFIG)
   lkao_find(nlohmann_json nlohmann-json3-dev CONFIG)
+  lkao_find(OpenMesh libopenmesh-dev CONFIG)
   # Debian 12's CMake package of OpenImageIO names a folder of OpenCV that is not installed with it; pkg-config works.
   lkao_find_pkg_config(OpenImageIO OpenImageIO libopenimageio-dev)
   if(OpenImageIO_FOUND)

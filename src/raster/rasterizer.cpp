@@ -29,11 +29,12 @@ void Rasterizer::set_view(const scene::Camera& camera, const scene::ReceiverImag
   camera_ = gl_camera(camera, image.width, image.height);
 }
 
-void Rasterizer::start_pass(const gl::PassSetup& setup, const scene::Mesh& mesh, const PlaneMaskTable& table) {
+void Rasterizer::start_pass(const gl::PassSetup& setup, const scene::Mesh& mesh, const PlaneMaskTable& table,
+                            std::span<const glm::vec2> ranges) {
   drawn_ = Drawn::nothing;
   pass_.reset();
   pass_.emplace(setup);
-  pass_->set_occluders(mesh.positions, mesh.triangles);
+  pass_->set_occluders(mesh.positions, mesh.triangles, ranges);
   pass_->set_table(table);
 }
 

@@ -3,8 +3,10 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include "lkao/gl.h"
@@ -30,8 +32,9 @@ class Rasterizer {
   void require_size(int width, int height) const;
 
   void set_view(const scene::Camera& camera, const scene::ReceiverImage& image);
-  // A new pass in place of the old one.
-  void start_pass(const gl::PassSetup& setup, const scene::Mesh& mesh, const PlaneMaskTable& table);
+  // A new pass in place of the old one; `ranges` as OcclusionPass::set_occluders() takes them.
+  void start_pass(const gl::PassSetup& setup, const scene::Mesh& mesh, const PlaneMaskTable& table,
+                  std::span<const glm::vec2> ranges = {});
   // To change its table or occluders, and to read what the last frame left: masks, fragment counts. Needs start_pass().
   gl::OcclusionPass& pass();
 

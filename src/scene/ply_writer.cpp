@@ -50,31 +50,48 @@ std::uint8_t grey_of(float visibility) {
   return static_cast<std::uint8_t>(std::lround(255 * encoded));
 }
 
+void write_header(std::ostream& out, const Mesh& mesh, const char* more_of_a_vertex) {
+  out << fmt::format(
+      "ply\nformat binary_little_endian 1.0\n"
+      "element vertex {}\nproperty float x\nproperty float y\nproperty float z\n{}"
+      "element face {}\nproperty list uchar int vertex_indices\nend_header\n",
+      mesh.positions.size(), more_of_a_vertex, mesh.triangles.size());
+}
+
+void put_position(RecordBuffer& buffer, const glm::vec3& position) {
+  for (int axis = 0; axis < 3; ++axis) buffer.put(position[axis]);
+}
+
+void put_faces(RecordBuffer& buffer, const Mesh& mesh) {
+  for (const glm::uvec3& triangle : mesh.triangles) {
+    buffer.put(std::uint8_t{3});
+    for (int corner = 0; corner < 3; ++corner) buffer.put(triangle[corner]);
+  }
+}
+
 }  // namespace
+
+void write_ply(std::ostream& out, const Mesh& mesh) {
+  write_header(out, mesh, "");
+  RecordBuffer buffer(out);
+  for (const glm::vec3& position : mesh.positions) put_position(buffer, position);
+  put_faces(buffer, mesh);
+}
 
 void write_ply(std::ostream& out, const Mesh& mesh, std::span<const float> occlusion) {
   if (occlusion.size() != mesh.positions.size()) {
     throw std::invalid_argument(fmt::format("write_ply: occlusion has {} entries, the mesh has {} vertices",
                                             occlusion.size(), mesh.positions.size()));
   }
-  out << fmt::format(
-      "ply\nformat binary_little_endian 1.0\n"
-      "element vertex {}\nproperty float x\nproperty float y\nproperty float z\nproperty float occlusion\n"
-      "property uchar red\nproperty uchar green\nproperty uchar blue\n"
-      "element face {}\nproperty list uchar int vertex_indices\nend_header\n",
-      mesh.positions.size(), mesh.triangles.size());
-
+  write_header(out, mesh, "property float occlusion\nproperty uchar red\nproperty uchar green\nproperty uchar blue\n");
   RecordBuffer buffer(out);
   for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
-    for (int axis = 0; axis < 3; ++axis) buffer.put(mesh.positions[i][axis]);
+    put_position(buffer, mesh.positions[i]);
     buffer.put(occlusion[i]);
     const std::uint8_t grey = grey_of(1.0f - occlusion[i]);
     for (int channel = 0; channel < 3; ++channel) buffer.put(grey);
   }
-  for (const glm::uvec3& triangle : mesh.triangles) {
-    buffer.put(std::uint8_t{3});
-    for (int corner = 0; corner < 3; ++corner) buffer.put(triangle[corner]);
-  }
+  put_faces(buffer, mesh);
 }
 
 }  // namespace lkao::scene

@@ -28,12 +28,13 @@ class Program : public ProgramTest {
 
 TEST_F(Program, HelpNamesTheSubcommands) {
   const std::string help = expect_success({"--help"}).out;
-  for (const char* name : {"render", "bake", "compare", "info"}) EXPECT_NE(help.find(name), std::string::npos) << name;
+  for (const char* name : {"render", "bake", "compare", "info", "simplify"})
+    EXPECT_NE(help.find(name), std::string::npos) << name;
   EXPECT_EQ(expect_success({}).out, help);
 }
 
 TEST_F(Program, EverySubcommandHasHelp) {
-  for (const char* name : {"render", "bake", "compare", "info"}) {
+  for (const char* name : {"render", "bake", "compare", "info", "simplify"}) {
     const std::string help = expect_success({name, "--help"}).out;
     for (const char* option : {"--threads", "--json"}) EXPECT_NE(help.find(option), std::string::npos) << name;
   }

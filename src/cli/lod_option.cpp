@@ -1,0 +1,96 @@
+#include "cli/lod_option.h"
+
+#include <cstddef>
+#include <sstream>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "cli/parse.h"
+#include "lod/chain_file.h"
+
+namespace lkao::cli {
+namespace {
+
+void set_value(lod::LevelRule& rule, const std::string& key, const std::string& value) {
+  if (key == "k") {
+    rule.k = static_cast<float>(parse_positive_number(value));
+  } else if (key == "levels") {
+    rule.level_count = parse_integer(value, 1, lod::kMaxLevelCount);
+  } else if (key == "epsilon") {
+    rule.epsilon = static_cast<float>(parse_positive_number(value));
+  } else if (key == "growth") {
+    rule.growth = static_cast<float>(parse_positive_number(value));
+    if (!(rule.growth > 1))
+      throw std::invalid_argument(fmt::format("growth: expected a number above 1, got '{}'", value));
+  } else {
+    throw std::invalid_argument(fmt::format("expected k=, levels=, epsilon= or growth=, got '{}'", key));
+  }
+}
+
+}  // namespace
+
+LodOption parse_lod(const std::string& text) {
+  LodOption option;
+  if (text.ends_with(".json")) {
+    option.file = text;
+    return option;
+  }
+  std::istringstream stream(text);
+  for (std::string item; std::getline(stream, item, ',');) {
+    const std::size_t equals = item.find('=');
+    if (equals == std::string::npos) {
+      throw std::invalid_argument(fmt::format("expected KEY=NUMBER,... or a file NAME.json, got '{}'", item));
+    }
+    set_value(option.rule, item.substr(0, equals), item.substr(equals + 1));
+  }
+  return option;
+}
+
+lod::Chain make_chain(const LodOption& option, const scene::Mesh& mesh, float radius, ProgressBar& progress) {
+  if (option.file.empty()) {
+    lod::LevelRule rule = option.rule;
+    if (rule.epsilon == 0) rule.epsilon = lod::automatic_epsilon(radius, rule);
+    return simplify_watched(mesh, rule, progress).chain;
+  }
+  progress.begin("loading " + option.file);
+  lod::Chain chain = lod::load_chain(option.file);
+  progress.clear();
+  if (chain.levels.front().mesh.positions != mesh.positions || chain.levels.front().mesh.triangles != mesh.triangles) {
+    throw std::runtime_error(option.file + ": these are levels of another mesh than the scene's");
+  }
+  return chain;
+}
+
+lod::Simplified simplify_watched(const scene::Mesh& mesh, const lod::LevelRule& rule, ProgressBar& progress) {
+  progress.begin("simplifying", mesh.triangles.size());
+  std::size_t shown = 0;
+  lod::Simplified simplified = lod::simplify(mesh, {.levels = rule}, [&](std::size_t done, std::size_t) {
+    progress.advance(done - shown);
+    shown = done;
+  });
+  progress.clear();
+  return simplified;
+}
+
+void add_lod_row(Table& table, const lod::Chain& chain, double seconds) {
+  std::string counts;
+  for (const lod::Level& level : chain.levels) {
+    counts += fmt::format("{}{}", counts.empty() ? "" : ", ", grouped(level.mesh.triangles.size()));
+  }
+  table.add("levels", fmt::format("{} triangles, from {:.3g} on simplified; {:.3f} s", counts,
+                                  chain.levels.front().r_max, seconds));
+}
+
+Json lod_json(const lod::Chain& chain, double seconds) {
+  Json levels = Json::array();
+  for (const lod::Level& level : chain.levels) {
+    levels.push_back({{"triangles", level.mesh.triangles.size()},
+                      {"epsilon", level.epsilon},
+                      {"r_min", level.r_min},
+                      {"r_max", level.r_max}});
+  }
+  return {{"k", chain.k}, {"growth", chain.growth}, {"seconds", seconds}, {"levels", levels}};
+}
+
+}  // namespace lkao::cli

@@ -1,0 +1,32 @@
+// Levels of detail on the command line.
+#pragma once
+
+#include <string>
+
+#include "cli/progress_bar.h"
+#include "cli/report.h"
+#include "lod/simplify.h"
+
+namespace lkao::cli {
+
+// What --lod says: a file of lkao simplify, or what to make.
+struct LodOption {
+  std::string file;     // empty: make the chain
+  lod::LevelRule rule;  // epsilon 0: from the radius
+};
+
+// "NAME.json", or "k=3,levels=4,epsilon=E,growth=3", of which any may be left out. Throws std::invalid_argument as the
+// functions of parse.h do.
+LodOption parse_lod(const std::string& text);
+
+// Makes the levels of `mesh`, or loads them. Throws std::runtime_error with one line where the file cannot be read or
+// was made of another mesh.
+lod::Chain make_chain(const LodOption& option, const scene::Mesh& mesh, float radius, ProgressBar& progress);
+
+// lod::simplify, watched by the progress bar.
+lod::Simplified simplify_watched(const scene::Mesh& mesh, const lod::LevelRule& rule, ProgressBar& progress);
+
+void add_lod_row(Table& table, const lod::Chain& chain, double seconds);
+Json lod_json(const lod::Chain& chain, double seconds);
+
+}  // namespace lkao::cli

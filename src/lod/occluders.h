@@ -1,0 +1,23 @@
+// A chain as the methods take it.
+#pragma once
+
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+#include "lkao/ambient_occlusion.h"
+#include "lod/chain.h"
+
+namespace lkao::lod {
+
+// Builds a hierarchy for every level, for AmbientOcclusion.
+std::vector<OccluderLevel> build_levels(const Chain& chain);
+
+// All levels as one mesh, with [r_min, r_max] of each triangle, for gl::OcclusionPass.
+struct RangedMesh {
+  scene::Mesh mesh;
+  std::vector<glm::vec2> ranges;
+};
+RangedMesh merge(const Chain& chain);
+
+}  // namespace lkao::lod
