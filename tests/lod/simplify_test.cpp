@@ -66,7 +66,7 @@ TEST(Simplify, AFlatGridLosesNearlyAllTrianglesAndNoShape) {
 
 TEST(Simplify, ABallStaysWithinEpsilon) {
   const scene::Mesh mesh = ball(1, 64);
-  const Simplified result = simplify(mesh, options(0.01f));
+  const Simplified result = simplify(mesh, options(0.01f, 5));
   expect_good_chain(mesh, result);
   const auto& levels = result.report.levels;
   EXPECT_LT(levels[1].triangle_count, levels[0].triangle_count / 3);
@@ -82,19 +82,27 @@ TEST(Simplify, WavesWithABorderStayWithinEpsilon) {
   EXPECT_LT(result.report.levels[1].triangle_count, mesh.triangles.size() / 4);
 }
 
-// A flat sheet with a slot cut out: all of the slot's rim lies in the plane of the sheet.
-TEST(Simplify, AHoleIsNotFilled) {
+// A flat sheet with a slit from its border to beyond its middle. Half of its width is less than epsilon: no point of a
+// triangle that closes it is too far from the sheet.
+TEST(Simplify, ASlitStaysOpen) {
   scene::Mesh mesh = flat_grid(20);
   std::erase_if(mesh.triangles, [&](const glm::uvec3& t) {
     const glm::vec3 middle = (mesh.positions[t.x] + mesh.positions[t.y] + mesh.positions[t.z]) / 3.0f;
-    return middle.x > 0.4f && middle.x < 0.6f && middle.z < 0.7f;
+    return middle.x > 0.45f && middle.x < 0.5f && middle.z < 0.7f;
   });
-  const Simplified result = simplify(mesh, options(0.01f, 2));
+  const Simplified result = simplify(mesh, options(0.03f, 2));
   expect_good_chain(mesh, result);
   EXPECT_LT(result.report.levels[1].triangle_count, 40u);
-  EXPECT_NEAR(result.report.levels[1].area, result.report.levels[0].area, 0.01 * 4);
   const Surface level(result.chain.levels[1].mesh.view());
-  EXPECT_GT(level.nearest({0.5, 0, 0.3}).distance, 0.08);
+  for (const double z : {0.1, 0.3, 0.5, 0.6}) EXPECT_GT(level.nearest({0.475, 0, z}).distance, 0.01) << z;
+}
+
+// Winding tubes: triangles that cut across the windings have all their corners on the tube.
+TEST(Simplify, TrianglesDoNotCutAcrossTheAir) {
+  const scene::Mesh mesh = scene::make_hairball(10'000);
+  const Simplified result = simplify(mesh, options(0.0167f, 3));
+  expect_good_chain(mesh, result);
+  EXPECT_LT(result.report.levels[1].triangle_count, mesh.triangles.size());
 }
 
 TEST(Simplify, NothingVanishes) {
