@@ -37,8 +37,8 @@ float square_distance_to_edge(vec3 from, vec3 along) {
   return dot(nearest, nearest);
 }
 
-// The influence region itself: points within r_max of the triangle, not all of which is within r_min. The shapes only bound it; masks of nearest cells
-// depend on where it ends, and this makes it end in one place for all of them.
+// The influence region itself: points within r_max of the triangle, not all of which is within r_min. The shapes only bound
+// it; masks of nearest cells depend on where it ends, and this makes it end in one place for all of them.
 bool is_in_reach(vec3 origin) {
   vec3 a = shape.a - origin, b = shape.b - origin, c = shape.c - origin;
   vec3 ab = shape.b - shape.a, bc = shape.c - shape.b, ca = shape.a - shape.c;
