@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
-#include <type_traits>
 
 #include <embree3/rtcore.h>
 #include <fmt/format.h>
@@ -16,19 +15,14 @@
 #include <glm/geometric.hpp>
 
 #include "lod/surface_samples.h"
+#include "scene/embree_handles.h"
 
 namespace lkao::lod {
 namespace {
 
-template <typename Handle, void (*release)(Handle)>
-struct Release {
-  void operator()(Handle handle) const { release(handle); }
-};
-template <typename Handle, void (*release)(Handle)>
-using Owned = std::unique_ptr<std::remove_pointer_t<Handle>, Release<Handle, release>>;
-using Device = Owned<RTCDevice, rtcReleaseDevice>;
-using Geometry = Owned<RTCGeometry, rtcReleaseGeometry>;
-using Scene = Owned<RTCScene, rtcReleaseScene>;
+using scene::embree::Device;
+using scene::embree::Geometry;
+using scene::embree::Scene;
 
 // One for all surfaces: there are thousands of small ones, and a device is expensive.
 RTCDevice shared_device() {

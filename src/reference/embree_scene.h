@@ -2,9 +2,7 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <mutex>
-#include <type_traits>
 #include <vector>
 
 #include <embree3/rtcore.h>
@@ -12,20 +10,13 @@
 #include <glm/vec3.hpp>
 
 #include "lkao/ambient_occlusion.h"
+#include "scene/embree_handles.h"
 
 namespace lkao::reference {
 
-// Embree's objects count their references.
-template <typename Handle, void (*release)(Handle)>
-struct Release {
-  void operator()(Handle handle) const { release(handle); }
-};
-template <typename Handle, void (*release)(Handle)>
-using Owned = std::unique_ptr<std::remove_pointer_t<Handle>, Release<Handle, release>>;
-
-using Device = Owned<RTCDevice, rtcReleaseDevice>;
-using Geometry = Owned<RTCGeometry, rtcReleaseGeometry>;
-using Scene = Owned<RTCScene, rtcReleaseScene>;
+using scene::embree::Device;
+using scene::embree::Geometry;
+using scene::embree::Scene;
 
 class EmbreeScene {
  public:

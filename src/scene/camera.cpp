@@ -14,6 +14,7 @@
 #include <glm/trigonometric.hpp>
 
 #include "bvh/zero_area.h"
+#include "scene/embree_handles.h"
 
 namespace lkao::scene {
 
@@ -43,12 +44,8 @@ glm::dvec3 pixel_direction(const View& view, int width, int height, int column, 
   return view.forward + x * view.right + y * view.up;
 }
 
-struct Release {
-  void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
-  void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
-};
-using Device = std::unique_ptr<RTCDeviceTy, Release>;
-using Scene = std::unique_ptr<RTCSceneTy, Release>;
+using embree::Device;
+using embree::Scene;
 
 // The triangles that can be seen: with a plane, and of finite corners. The others keep their numbers.
 std::vector<glm::uvec3> visible_triangles(const Mesh& mesh) {
