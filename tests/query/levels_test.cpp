@@ -11,6 +11,7 @@
 #include "bvh/triangle_test.h"
 #include "lkao/lkao.h"
 #include "support/meshes.h"
+#include "support/receivers.h"
 
 namespace lkao {
 namespace {
@@ -21,18 +22,6 @@ struct Range {
   float r_min, r_max;
 };
 const std::vector<Range> kRanges = {{0, 0.1f}, {0.1f, 0.3f}, {0.3f, 0.31f}, {0.31f, 1.7f}, {1.7f, kInfinity}};
-
-std::vector<Receiver> random_receivers(int count, std::uint64_t seed) {
-  lut::RandomStream random(seed);
-  std::vector<Receiver> receivers;
-  for (int i = 0; i < count; ++i) {
-    receivers.push_back({.position = tests::random_point(random, 1), .normal = tests::random_direction(random)});
-    if (i % 3 == 0)
-      receivers.back().geometric_normal = receivers.back().normal + tests::random_direction(random) * 0.5f;
-    if (i % 4 == 0) receivers.back().excluded_primitive = static_cast<std::uint32_t>(i);
-  }
-  return receivers;
-}
 
 struct KernelChoice {
   Kernel kernel;
@@ -65,8 +54,8 @@ TEST_P(Levels, OfTheSameOccludersGiveTheBitsOfNone) {
     const OccluderBvh occluders(tests::random_soup(count, size, 31).view());
     std::vector<OccluderLevel> levels;
     for (const Range& range : kRanges) levels.push_back({occluders, range.r_min, range.r_max});
-    std::vector<Receiver> receivers = random_receivers(40, 32);
-    for (Receiver& receiver : receivers) receiver.excluded_primitive = kNoPrimitive;  // of the first level only
+    // None excludes a primitive: that is one of the first level only.
+    const std::vector<Receiver> receivers = tests::random_receivers(40, 1, 32);
     for (const int ray_count : {64, 1024}) {
       for (const Falloff& falloff : {Falloff::constant(), Falloff::linear()}) {
         const SamplePattern pattern = SamplePattern::standard(ray_count).with_falloff(falloff);
@@ -113,7 +102,7 @@ TEST_P(Levels, AreTheBruteForceOverEachRange) {
     meshes.push_back(tests::random_soup(400 >> i, 0.1f * static_cast<float>(1 << i), 41 + i));
     levels.push_back({OccluderBvh(meshes.back().view()), kRanges[i].r_min, kRanges[i].r_max});
   }
-  const std::vector<Receiver> receivers = random_receivers(50, 42);
+  const std::vector<Receiver> receivers = tests::with_exclusions(tests::random_receivers(50, 1, 42), 4);
   for (const Sidedness sidedness : {Sidedness::two_sided, Sidedness::one_sided}) {
     for (const Falloff& falloff : {Falloff::constant(), Falloff::linear()}) {
       const SamplePattern pattern = SamplePattern::standard(256).with_falloff(falloff);

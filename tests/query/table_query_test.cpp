@@ -7,6 +7,7 @@
 
 #include "lkao/lkao.h"
 #include "support/meshes.h"
+#include "support/receivers.h"
 
 namespace lkao {
 namespace {
@@ -21,23 +22,12 @@ INSTANTIATE_TEST_SUITE_P(Soups, TableQuery,
                                           testing::Values(PlaneAddressing::cube, PlaneAddressing::slices),
                                           testing::Values(NodeMasks::bounding_sphere, NodeMasks::box_outline)));
 
-std::vector<Receiver> random_receivers(int count, std::uint64_t seed) {
-  lut::RandomStream random(seed);
-  std::vector<Receiver> receivers;
-  for (int i = 0; i < count; ++i) {
-    receivers.push_back({.position = tests::random_point(random, 1), .normal = tests::random_direction(random)});
-    if (i % 3 == 0)
-      receivers.back().geometric_normal = receivers.back().normal + tests::random_direction(random) * 0.5f;
-  }
-  return receivers;
-}
-
 // Must/may masks leave nothing to chance: the bits of the scalar kernel, for every addressing and node mask.
 TEST_P(TableQuery, MustMayEqualsTheScalarKernel) {
   const auto [soup, sidedness, addressing, node_masks] = GetParam();
   const tests::Mesh mesh = tests::random_soup(soup.first, soup.second, 91);
   const OccluderBvh occluders(mesh.view());
-  const std::vector<Receiver> receivers = random_receivers(40, 92);
+  const std::vector<Receiver> receivers = tests::random_receivers(40, 1, 92);
   for (const Falloff& falloff : {Falloff::constant(), Falloff::linear()}) {
     const SamplePattern pattern = SamplePattern::standard(128).with_falloff(falloff);
     const PlaneMaskTable table(pattern, {.resolution = 32, .addressing = addressing, .masks = PlaneMasks::must_may});
@@ -62,7 +52,7 @@ TEST_P(TableQuery, NearestIsClose) {
                              {.resolution = 128, .addressing = addressing, .masks = PlaneMasks::nearest});
   const QueryOptions options{.radius = 0.5f, .sidedness = sidedness, .node_masks = node_masks};
   const AmbientOcclusion exact(occluders, SamplePattern::standard(128), options), by_table(occluders, table, options);
-  const std::vector<Receiver> receivers = random_receivers(300, 94);
+  const std::vector<Receiver> receivers = tests::random_receivers(300, 1, 94);
   double error = 0, signed_error = 0;
   for (std::size_t i = 0; i < receivers.size(); ++i) {
     const double difference = static_cast<double>(by_table.query(receivers[i], i).occlusion) -
