@@ -61,12 +61,7 @@ class RaysCommand : public ProgramTest {
   void expect_rejected(const Arguments& more, const std::string& word) const {
     Arguments arguments = {"rays", "--tiles", "1", "--rounds", "1", "--csv", path("rays.csv")};
     arguments.insert(arguments.end(), more.begin(), more.end());
-    const ProgramResult result = run_program(arguments);
-    EXPECT_EQ(result.exit_code, 2) << result.err;
-    EXPECT_EQ(result.out, "");
-    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
-    EXPECT_THAT(result.err, testing::StartsWith("lkao-bench: "));
-    EXPECT_THAT(result.err, testing::HasSubstr(word));
+    ProgramTest::expect_rejected(arguments, {word});
     EXPECT_THAT(files(), testing::IsEmpty());
   }
 };
@@ -168,10 +163,7 @@ TEST_F(RaysCommand, BadViewsAreOneLine) {
         std::pair<Arguments, std::string>{{"--scenes", "atrium"}, "no scene 'atrium'"}}) {
     Arguments all = {"rays", "--views", views};
     all.insert(all.end(), arguments.begin(), arguments.end());
-    const ProgramResult result = run_program(all);
-    EXPECT_EQ(result.exit_code, 2);
-    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
-    EXPECT_THAT(result.err, testing::HasSubstr(words));
+    ProgramTest::expect_rejected(all, {words});
   }
 }
 

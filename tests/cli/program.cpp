@@ -124,7 +124,8 @@ void ProgramTest::expect_rejected(const Arguments& arguments, const std::vector<
   const ProgramResult result = run_program(arguments);
   EXPECT_EQ(result.exit_code, 2) << result.err;
   EXPECT_EQ(result.out, "");
-  EXPECT_EQ(result.err.find("lkao: "), 0u) << result.err;
+  const std::string name = fs::path(LKAO_PROGRAM).filename().string();
+  EXPECT_EQ(result.err.find(name + ": "), 0u) << result.err;
   EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
   EXPECT_TRUE(result.err.ends_with('\n')) << result.err;
   for (const std::string& word : words)

@@ -53,8 +53,8 @@ class ProgramTest : public testing::Test {
   // Names of all files in the folder, hidden ones too, sorted.
   std::vector<std::string> files() const;
 
-  // The arguments are answered with exit code 2, nothing on stdout, one line on stderr that begins with "lkao: " and
-  // contains `words`, and no file made or changed.
+  // The arguments are answered with exit code 2, nothing on stdout, one line on stderr that begins with the program's
+  // name and contains `words`, and no file made or changed.
   void expect_rejected(const Arguments& arguments, const std::vector<std::string>& words) const;
   // Exit code 0 and nothing on stderr.
   ProgramResult expect_success(const Arguments& arguments) const;
