@@ -147,11 +147,7 @@ class Studies {
   void run() {
     fmt::print("{:14} {:>7} {:6} {:>3} {:>9} {:>10} | {:>9} {:>6} | {:>9} {:>8} {:>8} {:>7} {:>8}\n", "scene", "radius",
                "method", "k", "epsilon", "triangles", "ms", "x", "mismatch", "MAE", "RMSE", "8 bits", "change");
-    for (const std::string& name : names_) {
-      StudySceneOptions one = options_.scenes;
-      one.names = {name};
-      study_scene(load_study_scenes(one).front());
-    }
+    for (const std::string& name : names_) study_scene(load_study_scene(name, options_.scenes));
   }
 
  private:

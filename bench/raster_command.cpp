@@ -96,11 +96,7 @@ class Studies {
     fmt::print("{} ({}), {} x {} pixels, {} rays\n{}", rasterizer_.context().renderer(),
                rasterizer_.context().version(), options_.scenes.width, options_.scenes.height,
                options_.frames.ray_count, raster_table_heading());
-    for (const std::string& name : names_) {
-      StudySceneOptions one = options_.scenes;
-      one.names = {name};
-      study_scene(load_study_scenes(one).front());
-    }
+    for (const std::string& name : names_) study_scene(load_study_scene(name, options_.scenes));
   }
 
  private:

@@ -54,7 +54,7 @@ class RasterFrames {
   // round. With `count`, fragments are counted by a further pass that is not timed.
   std::vector<FrameResult> draw(const std::vector<FrameSetup>& setups, bool count);
 
-  // The query itself on all threads: milliseconds and Mrays/s, and robust against nothing.
+  // The query itself, on all threads.
   FrameResult query();
 
  private:

@@ -55,11 +55,7 @@ class Comparison {
   void run() {
     if (options_.measure.thread_count > 1) fmt::print("{} threads\n", options_.measure.thread_count);
     fmt::print("{}", rays_table_heading());
-    for (const std::string& name : names_) {
-      StudySceneOptions one = options_.scenes;
-      one.names = {name};
-      measure_scene(load_study_scenes(one).front());
-    }
+    for (const std::string& name : names_) measure_scene(load_study_scene(name, options_.scenes));
     fmt::print("{}", rays_summary(cells_));
   }
 

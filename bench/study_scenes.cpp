@@ -111,4 +111,10 @@ std::vector<StudyScene> load_study_scenes(const StudySceneOptions& options) {
   return scenes;
 }
 
+StudyScene load_study_scene(const std::string& name, const StudySceneOptions& options) {
+  StudySceneOptions one = options;
+  one.names = {name};
+  return std::move(load_study_scenes(one).front());
+}
+
 }  // namespace lkao::bench

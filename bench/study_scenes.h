@@ -35,10 +35,13 @@ struct StudySceneOptions {
 // Throws std::runtime_error or std::invalid_argument with one line that names the file or scene and the fault.
 std::vector<StudyScene> load_study_scenes(const StudySceneOptions& options);
 
+// One of them alone: for programs that hold one scene at a time. Errors as above.
+StudyScene load_study_scene(const std::string& name, const StudySceneOptions& options);
+
 // The mesh alone of one of them. Errors as above.
 scene::Mesh load_study_mesh(const std::string& name, const StudySceneOptions& options);
 
-// What load_study_scenes loads, by name: for programs that hold one scene at a time. Errors as above.
+// What load_study_scenes loads, by name. Errors as above.
 std::vector<std::string> study_scene_names(const StudySceneOptions& options);
 
 }  // namespace lkao::bench
