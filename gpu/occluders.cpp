@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cstdint>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include "gpu/gl_error.h"
@@ -15,12 +15,10 @@
 namespace lkao::gl {
 namespace {
 
-constexpr int kStripTriangles = LKAO_SHAPE_VERTEX_COUNT - 2;
 using Strip = std::array<int, LKAO_SHAPE_VERTEX_COUNT>;
 // As in prism.glsl and billboard.glsl.
 constexpr Strip kPrismStrips[2] = {{6, 7, 11, 8, 10, 9, 4, 3, 5, 2, 0, 1}, {10, 4, 11, 5, 6, 0, 7, 1, 8, 2, 9, 3}};
 constexpr Strip kPolygonStrip = {0, 1, 11, 2, 10, 3, 9, 4, 8, 5, 7, 6};
-constexpr int kBillboardIndexCount = LKAO_BATCH_SIZE * kStripTriangles * 3;  // of one polygon each
 
 void add_strip(const Strip& strip, int first_vertex, std::vector<std::uint16_t>& indices) {
   for (std::size_t i = 0; i + 2 < strip.size(); ++i) {
@@ -61,18 +59,14 @@ VertexArray make_indexed(const Buffer& indices) {
   return array;
 }
 
-// Draw commands before any triangle is counted.
-std::array<std::uint32_t, LKAO_DRAW_WORD_COUNT> empty_draws(bool two_sided) {
-  std::array<std::uint32_t, LKAO_DRAW_WORD_COUNT> words{};
-  words[LKAO_DRAW_PRISM_ARRAYS + 1] = 1;
-  words[LKAO_DRAW_BILLBOARD_ARRAYS + 1] = 1;
-  words[LKAO_DRAW_PRISM_ELEMENTS] = LKAO_BATCH_SIZE * 2 * kStripTriangles * 3;
-  words[LKAO_DRAW_BILLBOARD_ELEMENTS] = kBillboardIndexCount * (two_sided ? 1u : 2u);
-  return words;
-}
-
-void require_limit(const char* what, std::size_t count, std::size_t limit) {
-  if (count > limit) throw std::runtime_error(fmt::format("{} {}, and this OpenGL takes only {}", count, what, limit));
+void require_indices(std::span<const glm::uvec3> triangles, std::size_t position_count) {
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    for (int corner = 0; corner < 3; ++corner) {
+      if (triangles[i][corner] < position_count) continue;
+      throw std::invalid_argument(fmt::format("triangle {} has index {}, but there are only {} positions", i,
+                                              triangles[i][corner], position_count));
+    }
+  }
 }
 
 void require_ranges(std::span<const glm::vec2> ranges, std::size_t triangle_count) {
@@ -86,16 +80,11 @@ void require_ranges(std::span<const glm::vec2> ranges, std::size_t triangle_coun
   }
 }
 
-template <typename Value>
-Buffer make_buffer_of(std::span<const Value> values, GLbitfield flags) {
-  return make_buffer(static_cast<GLsizeiptr>(values.size_bytes()), values.data(), flags);
-}
-
 }  // namespace
 
 Occluders::Occluders()
-    : draws_(make_buffer(GLsizeiptr{4} * LKAO_DRAW_WORD_COUNT, nullptr, GL_DYNAMIC_STORAGE_BIT)),
-      draws_texture_(make_buffer_texture(GL_R32UI, draws_)),
+    : largest_(make_buffer(4, nullptr, GL_DYNAMIC_STORAGE_BIT)),
+      largest_texture_(make_buffer_texture(GL_R32F, largest_)),
       prism_indices_(make_index_buffer(prism_indices())),
       billboard_indices_(make_index_buffer(billboard_indices())),
       no_attributes_(make_vertex_array()),
@@ -107,42 +96,28 @@ Occluders::Occluders()
 void Occluders::set(std::span<const glm::vec3> positions, std::span<const glm::uvec3> triangles,
                     std::span<const glm::vec2> ranges) {
   require_ranges(ranges, triangles.size());
-  for (std::size_t i = 0; i < triangles.size(); ++i) {
-    for (int corner = 0; corner < 3; ++corner) {
-      if (triangles[i][corner] >= positions.size()) {
-        throw std::invalid_argument(fmt::format("triangle {} has index {}, but there are only {} positions", i,
-                                                triangles[i][corner], positions.size()));
-      }
-    }
-  }
+  require_indices(triangles, positions.size());
   GLint texels = 0;
-  GLint64 block_size = 0;
   glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &texels);
-  glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &block_size);
-  require_limit("positions", positions.size(), static_cast<std::size_t>(texels));
-  // The frames are the largest: two vectors of four floats each.
-  require_limit("triangles", triangles.size(),
-                std::min(static_cast<std::size_t>(texels) / 2, static_cast<std::size_t>(block_size) / 32));
+  if (positions.size() > static_cast<std::size_t>(texels)) {
+    throw std::runtime_error(fmt::format("{} positions, and this OpenGL takes only {}", positions.size(), texels));
+  }
 
   // None, should there be too little memory for them.
-  position_count_ = triangle_count_ = 0;
-  const auto count = static_cast<GLsizeiptr>(triangles.size());
-  positions_ = make_buffer_of(positions, GL_DYNAMIC_STORAGE_BIT);
-  triangles_ = make_buffer_of(triangles, 0);
-  has_ranges_ = !ranges.empty();
-  ranges_ = make_buffer_of(ranges, 0);
-  frames_ = make_buffer(count * 32, nullptr, 0);
-  prisms_ = make_buffer(count * 4, nullptr, 0);
-  billboards_ = make_buffer(count * 4, nullptr, 0);
+  position_count_ = 0;
+  triangles_.clear();
+  positions_ = make_buffer(static_cast<GLsizeiptr>(positions.size_bytes()), positions.data(), GL_DYNAMIC_STORAGE_BIT);
   positions_texture_ = make_buffer_texture(GL_RGB32F, positions_);
-  triangles_texture_ = make_buffer_texture(GL_RGB32UI, triangles_);
-  ranges_texture_ = make_buffer_texture(GL_RG32F, ranges_);
-  frames_texture_ = make_buffer_texture(GL_RGBA32F, frames_);
-  prisms_texture_ = make_buffer_texture(GL_R32UI, prisms_);
-  billboards_texture_ = make_buffer_texture(GL_R32UI, billboards_);
+  has_ranges_ = !ranges.empty();
+  std::vector<TriangleBuffers> all;
+  const std::size_t capacity = TriangleBuffers::capacity();
+  for (std::size_t first = 0; first < triangles.size(); first += capacity) {
+    const std::size_t count = std::min(capacity, triangles.size() - first);
+    all.emplace_back(triangles.subspan(first, count), has_ranges_ ? ranges.subspan(first, count) : ranges);
+  }
   check_errors("copying the occluders");
   position_count_ = positions.size();
-  triangle_count_ = triangles.size();
+  triangles_ = std::move(all);
 }
 
 void Occluders::update(std::span<const glm::vec3> positions) {
@@ -156,52 +131,24 @@ void Occluders::update(std::span<const glm::vec3> positions) {
   check_errors("updating positions");
 }
 
-void Occluders::bind() const {
-  glBindTextureUnit(LKAO_UNIT_POSITIONS, positions_texture_.name());
-  glBindTextureUnit(LKAO_UNIT_TRIANGLES, triangles_texture_.name());
-  glBindTextureUnit(LKAO_UNIT_RANGES, ranges_texture_.name());
-  glBindTextureUnit(LKAO_UNIT_FRAMES, frames_texture_.name());
-  glBindTextureUnit(LKAO_UNIT_DRAWS, draws_texture_.name());
-}
-
 void Occluders::classify(GLuint program, bool two_sided) const {
-  const auto words = empty_draws(two_sided);
-  glNamedBufferSubData(draws_.name(), 0, sizeof(words), words.data());
-  bind();
-  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, LKAO_STORAGE_DRAWS, draws_.name());
-  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, LKAO_STORAGE_PRISMS, prisms_.name());
-  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, LKAO_STORAGE_BILLBOARDS, billboards_.name());
-  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, LKAO_STORAGE_FRAMES, frames_.name());
-  if (triangle_count_ == 0) return;
+  const GLuint zero = 0;
+  glNamedBufferSubData(largest_.name(), 0, sizeof(zero), &zero);
+  glBindTextureUnit(LKAO_UNIT_POSITIONS, positions_texture_.name());
+  glBindTextureUnit(LKAO_UNIT_LARGEST, largest_texture_.name());
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, LKAO_STORAGE_LARGEST, largest_.name());
   glUseProgram(program);
-  // Rows of groups: no count may be larger than 65535.
-  const std::size_t group_count = (triangle_count_ + LKAO_GROUP_SIZE - 1) / LKAO_GROUP_SIZE;
-  const std::size_t columns = std::min<std::size_t>(group_count, 32768);
-  glDispatchCompute(static_cast<GLuint>(columns), static_cast<GLuint>((group_count + columns - 1) / columns), 1);
+  for (const TriangleBuffers& triangles : triangles_) triangles.classify(two_sided);
   glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
 }
 
-void Occluders::draw_prisms(GeometryBackEnd back_end) const {
-  draw(back_end, prisms_texture_, LKAO_DRAW_PRISM_ARRAYS, LKAO_DRAW_PRISM_ELEMENTS, pulled_prisms_);
-}
-
-void Occluders::draw_billboards(GeometryBackEnd back_end) const {
-  draw(back_end, billboards_texture_, LKAO_DRAW_BILLBOARD_ARRAYS, LKAO_DRAW_BILLBOARD_ELEMENTS, pulled_billboards_);
-}
-
-void Occluders::draw(GeometryBackEnd back_end, const Texture& list, int arrays_word, int elements_word,
-                     const VertexArray& pulled) const {
-  if (triangle_count_ == 0) return;
-  glBindTextureUnit(LKAO_UNIT_LIST, list.name());
-  glBindBuffer(GL_DRAW_INDIRECT_BUFFER, draws_.name());
-  // Where a command starts in the buffer, as OpenGL wants to be told: by a pointer.
-  const auto command = [](int word) { return std::bit_cast<const void*>(static_cast<std::uintptr_t>(word) * 4); };
-  if (back_end == GeometryBackEnd::geometry_shader) {
-    glBindVertexArray(no_attributes_.name());
-    glDrawArraysIndirect(GL_POINTS, command(arrays_word));
-  } else {
-    glBindVertexArray(pulled.name());
-    glDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_SHORT, command(elements_word));
+void Occluders::draw(Shape shape, GeometryBackEnd back_end) const {
+  const VertexArray& pulled = shape == Shape::prism ? pulled_prisms_ : pulled_billboards_;
+  const bool is_pulled = back_end == GeometryBackEnd::vertex_pulling;
+  glBindVertexArray((is_pulled ? pulled : no_attributes_).name());
+  for (const TriangleBuffers& triangles : triangles_) {
+    triangles.bind(shape);
+    is_pulled ? triangles.draw_batches(shape) : triangles.draw_points(shape);
   }
 }
 

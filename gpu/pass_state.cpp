@@ -57,7 +57,6 @@ void OcclusionPass::State::set_uniforms(const GBuffer& g_buffer, const Camera& c
   set_view(camera, g_buffer.width, g_buffer.height, options.radius, uniforms);
   bind(g_buffer, camera, uniforms);
   table->set_uniforms(uniforms);
-  uniforms.extent.z = static_cast<int>(occluders.triangle_count());
   uniforms.lengths.x = options.radius;
   uniforms.lengths.y = options.billboard_threshold;
   uniforms.lengths.z = options.surface_offset * 0x1p-24f;
@@ -108,7 +107,6 @@ void OcclusionPass::State::draw_depths() {
 void OcclusionPass::State::draw_shapes(const Camera& camera) {
   targets.bind_masks();
   table->bind();
-  occluders.bind();
   if (setup.count_fragments) {
     const GLuint zeros[6] = {};
     glNamedBufferSubData(counters.name(), 0, sizeof(zeros), zeros);
@@ -125,10 +123,10 @@ void OcclusionPass::State::draw_shapes(const Camera& camera) {
   glCullFace(GL_FRONT);
   glFrontFace(is_mirrored(camera) ? GL_CW : GL_CCW);
   glUseProgram(shapes.prism.name());
-  occluders.draw_prisms(setup.geometry);
+  occluders.draw(Shape::prism, setup.geometry);
   glDisable(GL_CULL_FACE);
   glUseProgram(shapes.billboard.name());
-  occluders.draw_billboards(setup.geometry);
+  occluders.draw(Shape::billboard, setup.geometry);
   glDisable(GL_COLOR_LOGIC_OP);
   glDisable(GL_DEPTH_CLAMP);
   glDisable(GL_DEPTH_TEST);

@@ -84,7 +84,7 @@ std::vector<std::uint32_t> count_prism(GeometryBackEnd back_end) {
   const float radius = 1;
   PassUniforms uniforms;
   uniforms.flags.x = LKAO_FLAG_TWO_SIDED;
-  uniforms.extent = {kSize, kSize, 1, 0};
+  uniforms.extent = {kSize, kSize, 0, 0};
   uniforms.lengths = {radius, 0, 0, 0};
   set_view(camera, kSize, kSize, radius, uniforms);
   const Buffer uniform_buffer = make_buffer(sizeof(uniforms), &uniforms, 0);
@@ -112,7 +112,7 @@ std::vector<std::uint32_t> count_prism(GeometryBackEnd back_end) {
   glCullFace(GL_FRONT);
   glFrontFace(GL_CCW);
   glUseProgram(programs.prism.name());
-  occluders.draw_prisms(back_end);
+  occluders.draw(Shape::prism, back_end);
   glDisable(GL_CULL_FACE);
   glDisable(GL_DEPTH_CLAMP);
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
@@ -136,7 +136,10 @@ bool logic_op_works() {
 bool geometry_works(GeometryBackEnd back_end) {
   try {
     const std::vector<std::uint32_t> counts = count_prism(back_end);
-    return std::all_of(counts.begin(), counts.end(), [](std::uint32_t count) { return count == 1; });
+    const auto once = std::count(counts.begin(), counts.end(), 1u),
+               never = std::count(counts.begin(), counts.end(), 0u);
+    // Twice costs time and no more, as it may along clipped edges.
+    return never == 0 && once >= kPixelCount - kPixelCount / 50;
   } catch (const std::runtime_error&) {
     return false;
   }

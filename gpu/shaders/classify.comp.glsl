@@ -14,6 +14,7 @@ layout(std430, binding = LKAO_STORAGE_DRAWS) buffer Draws { uint draws[]; };
 layout(std430, binding = LKAO_STORAGE_PRISMS) writeonly buffer Prisms { uint prisms[]; };
 layout(std430, binding = LKAO_STORAGE_BILLBOARDS) writeonly buffer Billboards { uint billboards[]; };
 layout(std430, binding = LKAO_STORAGE_FRAMES) writeonly buffer Frames { vec4 frames[]; };
+layout(std430, binding = LKAO_STORAGE_LARGEST) buffer Largest { uint largest_bits; };  // of a float
 
 // (b - a) x (c - a) as bvh::area_vector has it: zero where the corners lie on one line.
 dvec3 area_vector(dvec3 a, dvec3 b, dvec3 c) {
@@ -43,7 +44,7 @@ uint next_place(uint arrays, uint elements) {
 void main() {
   uint group = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;
   uint triangle = group * LKAO_GROUP_SIZE + gl_LocalInvocationID.x;
-  if (triangle >= uint(pass.extent.z)) return;
+  if (triangle >= uint(textureSize(triangles))) return;
   uvec3 corners = texelFetch(triangles, int(triangle)).xyz;
   vec3 a = texelFetch(positions, int(corners.x)).xyz, b = texelFetch(positions, int(corners.y)).xyz,
        c = texelFetch(positions, int(corners.z)).xyz;
@@ -55,7 +56,7 @@ void main() {
   }
   dvec3 area = area_vector(a, b, c);
   if (area == dvec3(0.0lf)) return;
-  atomicMax(draws[LKAO_DRAW_LARGEST_COORDINATE], floatBitsToUint(max(largest.x, max(largest.y, largest.z))));
+  atomicMax(largest_bits, floatBitsToUint(max(largest.x, max(largest.y, largest.z))));
 
   vec2 range = range_of(triangle);
   if (range.x >= ao_radius()) return;  // no ray is that long

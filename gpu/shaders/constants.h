@@ -16,13 +16,15 @@
 #define LKAO_UNIT_NORMALS 10            // 2D: normals of the pixels
 #define LKAO_UNIT_GEOMETRIC_NORMALS 11  // 2D
 #define LKAO_UNIT_RANGES 12             // buffer: at which distances each triangle counts
-#define LKAO_UNIT_COUNT 13
+#define LKAO_UNIT_LARGEST 13            // buffer: the largest coordinate of all occluders
+#define LKAO_UNIT_COUNT 14
 
 // Shader storage.
 #define LKAO_STORAGE_DRAWS 0
 #define LKAO_STORAGE_PRISMS 1
 #define LKAO_STORAGE_BILLBOARDS 2
 #define LKAO_STORAGE_FRAMES 3
+#define LKAO_STORAGE_LARGEST 4
 #define LKAO_STORAGE_MASKS 0  // and up to seven more: 128 rays each
 #define LKAO_STORAGE_COUNT 8
 
@@ -32,8 +34,7 @@
 #define LKAO_DRAW_PRISM_ELEMENTS 4
 #define LKAO_DRAW_BILLBOARD_ARRAYS 12
 #define LKAO_DRAW_BILLBOARD_ELEMENTS 16
-#define LKAO_DRAW_LARGEST_COORDINATE 24  // of all occluders, the bits of a float
-#define LKAO_DRAW_WORD_COUNT 28
+#define LKAO_DRAW_WORD_COUNT 24
 
 // Vertices of a prism (two rings of six) and of each of the two polygons of a billboard.
 #define LKAO_SHAPE_VERTEX_COUNT 12

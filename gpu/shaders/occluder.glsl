@@ -7,6 +7,7 @@ layout(binding = LKAO_UNIT_TRIANGLES) uniform usamplerBuffer triangles;
 layout(binding = LKAO_UNIT_FRAMES) uniform samplerBuffer frames;
 layout(binding = LKAO_UNIT_LIST) uniform usamplerBuffer list;
 layout(binding = LKAO_UNIT_DRAWS) uniform usamplerBuffer draws;
+layout(binding = LKAO_UNIT_LARGEST) uniform samplerBuffer largest_coordinate;
 
 struct Occluder {
   vec3 a, b, c;
@@ -34,7 +35,7 @@ Occluder fetch_occluder(uint triangle) {
 // By how much a shape is larger than the influence region, so that rounding loses no pixel: of the radius, of coordinates
 // and the surface offset, and of a pixel, since rasterisers put corners on a grid of 1/256 pixel.
 float margin_of(Occluder o) {
-  float largest = uintBitsToFloat(texelFetch(draws, LKAO_DRAW_LARGEST_COORDINATE).x);
+  float largest = texelFetch(largest_coordinate, 0).x;
   float far = has_flag(LKAO_FLAG_PERSPECTIVE) ? max(o.depths.y + o.range.y, 0.0) : 1.0;
   return 1e-3 * o.range.y + (2.0 * pass.lengths.z + 8e-7) * (largest + 2.0 * ao_radius()) +
          pass.lengths.w * far / 32.0;

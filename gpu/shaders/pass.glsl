@@ -10,7 +10,7 @@ layout(std140, binding = 0) uniform Pass {
   vec4 depth_map;           // see depth.glsl
   vec4 lengths;             // AO radius, threshold alpha, surface offset x 2^-24, size of a pixel (at distance 1)
   vec4 jitter;              // rotation in turns, largest tilt in radians; what resolve() writes without a receiver
-  ivec4 extent;             // width, height, triangle count, LKAO_PLACE_*
+  ivec4 extent;             // width, height, unused, LKAO_PLACE_*
   uvec4 flags;              // LKAO_FLAG_*, ray count, seed as mix_bits(seed): low and high
   uvec4 cells;              // of the table: resolution or cells along the maps' sides: edges, slices; slice count
   uvec4 cell_offsets;       // of the table: cells of the map of edges, cells of a slice; first cell for rays of one length

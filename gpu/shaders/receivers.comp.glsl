@@ -9,7 +9,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 layout(binding = LKAO_UNIT_PLACE) uniform sampler2D place;
 layout(binding = LKAO_UNIT_NORMALS) uniform sampler2D normals;
 layout(binding = LKAO_UNIT_GEOMETRIC_NORMALS) uniform sampler2D geometric_normals;
-layout(binding = LKAO_UNIT_DRAWS) uniform usamplerBuffer draws;
+layout(binding = LKAO_UNIT_LARGEST) uniform samplerBuffer largest_coordinate;
 layout(binding = 0, rgba32f) writeonly uniform image2DArray receivers;
 
 // Of each pixel of the ray through its centre: a point of the ray, in world space, at a depth in clip space.
@@ -75,7 +75,7 @@ void main() {
     return;
   }
   vec3 up = vec3(unit(geometric));
-  float largest = uintBitsToFloat(texelFetch(draws, LKAO_DRAW_LARGEST_COORDINATE).x);
+  float largest = texelFetch(largest_coordinate, 0).x;
   precise float offset = pass.lengths.z * max(largest_component(position), largest);
   precise vec3 origin = position + up * offset;
   uint index = uint(pixel.y) * uint(pass.extent.x) + uint(pixel.x);
