@@ -71,7 +71,7 @@ class LodStudy {
     const SamplePattern& pattern = SamplePattern::standard(options_.frames.ray_count);
     std::vector<AmbientOcclusion> queries;
     for (const Variant& variant : variants_) {
-      queries.emplace_back(lod::build_levels(variant.chain), pattern, QueryOptions{.radius = radius()});
+      queries.emplace_back(lod::build_levels(variant.chain, radius()), pattern, QueryOptions{.radius = radius()});
     }
     struct Answers {
       std::vector<float> occlusion;
@@ -104,7 +104,7 @@ class LodStudy {
     RasterFrames frames(rasterizer, scene_, radius(), options_.frames);
     std::vector<Row> rows;
     for (const Variant& variant : variants_) {
-      const lod::RangedMesh merged = lod::merge(variant.chain);
+      const lod::RangedMesh merged = lod::merge(variant.chain, radius());
       const FrameSetup setup{.name = "", .masks = PlaneMasks::must_may, .levels = &merged};
       const FrameResult result = frames.draw({setup}, false).front();
       rows.push_back({"raster", result.milliseconds, result.mismatch_rate, result.mean_change, result.error});

@@ -1,20 +1,31 @@
 #include "lod/occluders.h"
 
+#include <algorithm>
 #include <cstdint>
+#include <span>
 
 namespace lkao::lod {
+namespace {
 
-std::vector<OccluderLevel> build_levels(const Chain& chain) {
+std::span<const Level> levels_within(const Chain& chain, float radius) {
+  const auto last = std::find_if(chain.levels.begin(), chain.levels.end(),
+                                 [radius](const Level& level) { return level.r_min > 0 && level.r_min >= radius; });
+  return {chain.levels.begin(), last};
+}
+
+}  // namespace
+
+std::vector<OccluderLevel> build_levels(const Chain& chain, float radius) {
   std::vector<OccluderLevel> levels;
-  for (const Level& level : chain.levels) {
+  for (const Level& level : levels_within(chain, radius)) {
     levels.push_back({OccluderBvh(level.mesh.view()), level.r_min, level.r_max});
   }
   return levels;
 }
 
-RangedMesh merge(const Chain& chain) {
+RangedMesh merge(const Chain& chain, float radius) {
   RangedMesh merged;
-  for (const Level& level : chain.levels) {
+  for (const Level& level : levels_within(chain, radius)) {
     const auto first = static_cast<std::uint32_t>(merged.mesh.positions.size());
     merged.mesh.positions.insert(merged.mesh.positions.end(), level.mesh.positions.begin(), level.mesh.positions.end());
     for (const glm::uvec3& triangle : level.mesh.triangles) merged.mesh.triangles.push_back(triangle + first);

@@ -1,4 +1,5 @@
-// A chain as the methods take it.
+// A chain as the methods take it, without the levels that no ray of a query or a frame reaches: those that begin at
+// `radius` or beyond it. The original is always there.
 #pragma once
 
 #include <vector>
@@ -11,13 +12,13 @@
 namespace lkao::lod {
 
 // Builds a hierarchy for every level, for AmbientOcclusion.
-std::vector<OccluderLevel> build_levels(const Chain& chain);
+std::vector<OccluderLevel> build_levels(const Chain& chain, float radius);
 
 // All levels as one mesh, with [r_min, r_max] of each triangle, for gl::OcclusionPass.
 struct RangedMesh {
   scene::Mesh mesh;
   std::vector<glm::vec2> ranges;
 };
-RangedMesh merge(const Chain& chain);
+RangedMesh merge(const Chain& chain, float radius);
 
 }  // namespace lkao::lod

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "lod/simplify.h"
@@ -11,11 +13,18 @@
 namespace lkao::lod {
 namespace {
 
-TEST(Occluders, OfAllLevelsKeepTheirRanges) {
-  const Chain chain =
+constexpr float kFar = 1e6f;
+
+const Chain& sphere_chain() {
+  static const Chain chain =
       simplify(scene::make_builtin("sphere"), {.levels = {.epsilon = 0.01f, .k = 2, .level_count = 3}}).chain;
-  const RangedMesh merged = merge(chain);
-  const std::vector<OccluderLevel> levels = build_levels(chain);
+  return chain;
+}
+
+TEST(Occluders, OfAllLevelsKeepTheirRanges) {
+  const Chain& chain = sphere_chain();
+  const RangedMesh merged = merge(chain, kFar);
+  const std::vector<OccluderLevel> levels = build_levels(chain, kFar);
   ASSERT_EQ(levels.size(), 3u);
   ASSERT_EQ(merged.ranges.size(), merged.mesh.triangles.size());
   std::size_t next = 0;
@@ -35,6 +44,20 @@ TEST(Occluders, OfAllLevelsKeepTheirRanges) {
   EXPECT_EQ(next, merged.mesh.triangles.size());
   EXPECT_EQ(levels[0].r_min, 0);
   EXPECT_EQ(levels[2].r_max, std::numeric_limits<float>::infinity());
+}
+
+TEST(Occluders, EndWithTheRadius) {
+  const Chain& chain = sphere_chain();
+  std::size_t triangle_count = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    // A level counts from where the radius is beyond its beginning, not at it.
+    triangle_count += chain.levels[i].mesh.triangles.size();
+    const float end = chain.levels[i].r_max;
+    for (const float radius : {std::nextafter(chain.levels[i].r_min, kFar), std::min(end, kFar)}) {
+      EXPECT_EQ(build_levels(chain, radius).size(), i + 1) << "radius " << radius;
+      EXPECT_EQ(merge(chain, radius).mesh.triangles.size(), triangle_count) << "radius " << radius;
+    }
+  }
 }
 
 }  // namespace
