@@ -21,10 +21,14 @@
 namespace lkao::cli {
 namespace {
 
+constexpr double kDefaultGain = 8;
+
 struct CompareOptions {
   std::string a;
   std::string b;
   std::optional<double> max_rmse;
+  std::string difference;
+  std::optional<double> gain;
   CommonOptions common;
 };
 
@@ -86,15 +90,26 @@ void print_table(const std::vector<std::string>& channels, const image::Metrics&
   table.print();
 }
 
+void write_difference(const std::string& path, const CompareOptions& options, const image::Image& difference) {
+  const bool is_picture = ending_of(path) == ".png";
+  const auto gain = static_cast<float>(options.gain.value_or(kDefaultGain));
+  image::write_image(path, is_picture ? image::difference_preview(difference, gain) : difference);
+}
+
 ExitCode compare(const CompareOptions& options) {
+  if (options.gain && ending_of(options.difference) != ".png") {
+    throw std::invalid_argument("--gain needs a --difference of which a .png is made");
+  }
   OutputFiles outputs({options.a, options.b});
   const JsonOutput json(options.common.json_path, outputs);
+  const std::string difference_path = options.difference.empty() ? "" : outputs.claim_image(options.difference);
   const image::Image a = image::read_image(options.a);
   const image::Image b = image::read_image(options.b);
   check_sizes(options, a, b);
   const std::vector<std::string> channels = channels_to_compare(options, a, b);
   const image::Metrics metrics = image::compare(values_of(a, channels), values_of(b, channels));
 
+  if (!difference_path.empty()) write_difference(difference_path, options, image::difference(a, b, channels));
   json.write_and_commit(document_of(options, channels, metrics));
   if (options.common.wants_table()) print_table(channels, metrics);
   if (!options.max_rmse || metrics.rmse <= *options.max_rmse) return kSuccess;
@@ -106,6 +121,10 @@ void add_options(CLI::App& app, CompareOptions& options) {
   app.add_option("a", options.a, "An image")->required()->type_name("A");
   app.add_option("b", options.b, "Another of the same size")->required()->type_name("B");
   add_parsed(app, "--max-rmse", options.max_rmse, parse_non_negative_number, "Exit with 1 where the RMSE is above X")
+      ->type_name("X");
+  app.add_option("--difference", options.difference, "Write B - A: .exr as it is, .png in red (above) and blue (below)")
+      ->type_name("FILE");
+  add_parsed(app, "--gain", options.gain, parse_positive_number, "A .png is in full colour from 1 / X on (default: 8)")
       ->type_name("X");
   add_common_options(app, options.common);
   app.footer(

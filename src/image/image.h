@@ -36,4 +36,11 @@ void check_image_path(const std::string& path);
 // Throws std::invalid_argument where there is neither.
 Image visibility_preview(const Image& occlusion);
 
+// b - a in these channels. Throws std::invalid_argument where the sizes differ or a channel is missing.
+Image difference(const Image& a, const Image& b, const std::vector<std::string>& channels);
+
+// The picture of a difference, its mean over the channels: white where there is none, red above, blue below, in full
+// colour from 1 / gain on; black where it is NaN. Channels R, G, B. `gain` is positive.
+Image difference_preview(const Image& difference, float gain);
+
 }  // namespace lkao::image

@@ -65,6 +65,20 @@ TEST_F(Compare, PngsAreComparedByAllCommonChannels) {
   EXPECT_DOUBLE_EQ(metrics(a, b)["mae"], 1 / 6.0);
 }
 
+TEST_F(Compare, WritesTheDifference) {
+  const std::string a = write("a.exr", {"occlusion"}, {0, 0.5f, 0.5f, 1});
+  const std::string b = write("b.exr", {"occlusion"}, {0, 0.25f, 0.75f, 1});
+  expect_success({"compare", a, b, "--difference", path("d.exr")});
+  const image::Image difference = image::read_image(path("d.exr"));
+  EXPECT_EQ(difference.channels, std::vector<std::string>{"occlusion"});
+  EXPECT_EQ(difference.pixels, (std::vector<float>{0, -0.25f, 0.25f, 0}));
+  expect_success({"compare", a, b, "--difference", path("d.png"), "--gain", "4"});
+  EXPECT_EQ(image::read_image(path("d.png")).pixels, (std::vector<float>{1, 1, 1, 0, 0, 1, 1, 0, 0, 1, 1, 1}));
+  // With --max-rmse too: the picture is wanted most where the limit is not kept.
+  EXPECT_EQ(run_program({"compare", a, b, "--max-rmse", "0", "--difference", path("over.png")}).exit_code, 1);
+  EXPECT_EQ(image::read_image(path("over.png")).width, 2);
+}
+
 TEST_F(Compare, RejectsImagesThatCannotBeCompared) {
   const std::string a = write("a.exr", {"occlusion"}, {0, 0, 0, 0});
   const std::string wide = write("wide.exr", {"occlusion"}, {0, 0, 0, 0}, 4);
@@ -77,6 +91,10 @@ TEST_F(Compare, RejectsImagesThatCannotBeCompared) {
   expect_rejected({"compare", a, a, "--max-rmse", "-1"}, {"--max-rmse"});
   expect_rejected({"compare", a, a, "--max-rmse", "nan"}, {"--max-rmse"});
   expect_rejected({"compare", a, a, "--json", a}, {"is an input"});
+  expect_rejected({"compare", a, a, "--difference", a}, {"is an input"});
+  expect_rejected({"compare", a, a, "--difference", path("d.txt")}, {"d.txt"});
+  expect_rejected({"compare", a, a, "--difference", path("d.png"), "--gain", "0"}, {"--gain"});
+  expect_rejected({"compare", a, a, "--difference", path("d.exr"), "--gain", "2"}, {"--gain needs"});
 }
 
 }  // namespace
