@@ -17,9 +17,9 @@
 
 #include "build_cost.h"
 #include "build_report.h"
+#include "cli/median.h"
 #include "commands.h"
 #include "csv_file.h"
-#include "median.h"
 #include "scene/builtin.h"
 #include "study_scenes.h"
 
@@ -54,7 +54,7 @@ std::vector<BuildResult> measure(const TriangleMesh& mesh, int thread_count, con
   };
   std::vector<BuildResult> results;
   for (std::size_t i = 0; i < costs.size(); ++i) {
-    results.push_back({options.methods[i], median(seconds[i]), per_triangle(costs[i].memory_bytes),
+    results.push_back({options.methods[i], cli::median(seconds[i]), per_triangle(costs[i].memory_bytes),
                        per_triangle(costs[i].mesh_bytes)});
   }
   return results;

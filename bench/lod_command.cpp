@@ -8,14 +8,13 @@
 
 #include <fmt/format.h>
 
+#include "answers.h"
 #include "cli/stopwatch.h"
 #include "commands.h"
 #include "csv_file.h"
 #include "lod/occluders.h"
 #include "lod/simplify.h"
-#include "median.h"
 #include "raster_frames.h"
-#include "reference/embree_reference.h"
 #include "study_scenes.h"
 
 namespace lkao::bench {
@@ -39,8 +38,8 @@ struct Variant {
 // What one method makes of a variant.
 struct Row {
   const char* method;
-  double milliseconds, mismatch_rate, mean_change;
-  image::Metrics error;
+  double milliseconds;
+  Deviation off;
 };
 
 // Levels of detail of one scene at its large radius, by both methods.
@@ -66,48 +65,29 @@ class LodStudy {
   double simplify_seconds() const { return simplify_seconds_; }
   const std::vector<Variant>& variants() const { return variants_; }
 
-  std::vector<Row> by_query() const {
-    const std::vector<Receiver>& receivers = scene_.view.receivers;
+  std::vector<Row> by_query() {
     const SamplePattern& pattern = SamplePattern::standard(options_.frames.ray_count);
     std::vector<AmbientOcclusion> queries;
     for (const Variant& variant : variants_) {
       queries.emplace_back(lod::build_levels(variant.chain, radius()), pattern, QueryOptions{.radius = radius()});
     }
-    struct Answers {
-      std::vector<float> occlusion;
-      std::vector<std::uint64_t> masks;
-      std::vector<double> seconds;
-    };
-    std::vector<Answers> answers(queries.size());
-    std::uint64_t ray_count = 0;
-    for (int round = 0; round < options_.frames.round_count; ++round) {
-      for (std::size_t i = 0; i < queries.size(); ++i) {
-        answers[i].occlusion.resize(receivers.size());
-        answers[i].masks.resize(receivers.size() * static_cast<std::size_t>(pattern.word_count()));
-        const cli::Stopwatch time;
-        const QueryOutputs outputs{.occlusion = answers[i].occlusion, .mask_words = answers[i].masks};
-        ray_count = queries[i].query(receivers, outputs).ray_count;
-        answers[i].seconds.push_back(time.seconds());
-      }
-    }
+    const std::vector<Answers> answers = ask(queries, scene_.view.receivers, options_.frames.round_count);
+    exact_ = answers[0];
     std::vector<Row> rows;
-    for (const Answers& a : answers) {
-      const auto wrong = static_cast<double>(reference::count_mismatched_rays(a.masks, answers[0].masks));
-      rows.push_back({"bvh", 1000 * median(a.seconds), wrong / static_cast<double>(ray_count),
-                      mean_change(a.occlusion, answers[0].occlusion),
-                      image::compare(a.occlusion, answers[0].occlusion)});
-    }
+    for (const Answers& a : answers) rows.push_back({"bvh", 1000 * a.seconds, deviation(a, exact_)});
     return rows;
   }
 
+  // After by_query(), which tells what is exact.
   std::vector<Row> by_raster(raster::Rasterizer& rasterizer) const {
     RasterFrames frames(rasterizer, scene_, radius(), options_.frames);
+    frames.set_exact(Sidedness::two_sided, exact_);
     std::vector<Row> rows;
     for (const Variant& variant : variants_) {
       const lod::RangedMesh merged = lod::merge(variant.chain, radius());
       const FrameSetup setup{.name = "", .masks = PlaneMasks::must_may, .levels = &merged};
       const FrameResult result = frames.draw({setup}, false).front();
-      rows.push_back({"raster", result.milliseconds, result.mismatch_rate, result.mean_change, result.error});
+      rows.push_back({"raster", result.milliseconds, result.off});
     }
     return rows;
   }
@@ -131,6 +111,7 @@ class LodStudy {
   const Options& options_;
   double simplify_seconds_ = 0;
   std::vector<Variant> variants_;
+  Answers exact_;  // for the scene itself
 };
 
 class Studies {
@@ -171,12 +152,12 @@ class Studies {
       const double speedup = rows[0].milliseconds / row.milliseconds;
       fmt::print("{:14} {:7g} {:6} {:3g} {:9.3g} {:10} | {:9.2f} {:6.2f} | {:9.2g} {:8.5f} {:8.5f} {:6.2f}% {:+8.5f}\n",
                  scene.name, study.radius(), row.method, variant.k, variant.epsilon, triangle_count, row.milliseconds,
-                 speedup, row.mismatch_rate, row.error.mae, row.error.rmse, 100 * row.error.equal_8bit_share,
-                 row.mean_change);
+                 speedup, row.off.mismatch_rate, row.off.error.mae, row.off.error.rmse,
+                 100 * row.off.error.equal_8bit_share, row.off.mean_change);
       csv_.write(fmt::format("{},{:g},{},{:g},{:g},{},{:.5g},{:.4f},{:.4g},{:.4g},{:.4g},{:.5f},{:.4g}\n", scene.name,
                              study.radius(), row.method, variant.k, variant.epsilon, triangle_count, row.milliseconds,
-                             speedup, row.mismatch_rate, row.error.mae, row.error.rmse, row.error.equal_8bit_share,
-                             row.mean_change));
+                             speedup, row.off.mismatch_rate, row.off.error.mae, row.off.error.rmse,
+                             row.off.error.equal_8bit_share, row.off.mean_change));
     }
     std::fflush(stdout);
   }

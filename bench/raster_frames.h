@@ -1,13 +1,12 @@
 // Frames of the rasterised method, timed and compared with the CPU's exact query at the same receivers.
 #pragma once
 
-#include <cstdint>
 #include <map>
-#include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "image/metrics.h"
+#include "answers.h"
 #include "lkao/gl.h"
 #include "lkao/lkao.h"
 #include "lod/occluders.h"
@@ -28,9 +27,7 @@ struct FrameSetup {
 struct FrameResult {
   double milliseconds = 0;  // of draw and resolve, the median
   double mrays_per_second = 0;
-  double mismatch_rate = 0;   // share of the rays whose answer differs from the query's
-  double mean_change = 0;     // of the occlusion, from the query's
-  image::Metrics error;       // of the occlusion
+  Deviation off;              // from the query
   gl::FragmentCounts counts;  // zeros where they were not wanted
 };
 
@@ -42,13 +39,13 @@ struct FrameOptions {
   gl::Device device = gl::Device::automatic;
 };
 
-// The mean of `values` - `from`, over those where neither is NaN.
-double mean_change(std::span<const float> values, std::span<const float> from);
-
 // One scene at one radius.
 class RasterFrames {
  public:
   RasterFrames(raster::Rasterizer& rasterizer, const StudyScene& scene, float radius, const FrameOptions& options);
+
+  // What frames are compared with, where it is known already; otherwise the query is asked once it is needed.
+  void set_exact(Sidedness sidedness, Answers answers) { exact_[sidedness] = std::move(answers); }
 
   // Draws with one pass after the other; frames of a pass that differ in their options only take turns, round after
   // round. With `count`, fragments are counted by a further pass that is not timed.
@@ -58,16 +55,10 @@ class RasterFrames {
   FrameResult query();
 
  private:
-  struct Answers {
-    std::vector<float> occlusion;
-    std::vector<std::uint64_t> masks;
-    std::uint64_t ray_count = 0;
-    double seconds = 0;
-  };
-
-  const Answers& answers(Sidedness sidedness);
+  const Answers& exact(Sidedness sidedness);
   gl::DrawOptions options_of(const FrameSetup& setup) const;
-  void start_pass(const FrameSetup& setup, bool count);
+  PlaneMaskTable make_table(PlaneMasks masks) const;
+  void start_pass(const FrameSetup& setup, const PlaneMaskTable& table, bool count);
   FrameResult compare(const FrameSetup& setup, const std::vector<double>& seconds);
 
   raster::Rasterizer& rasterizer_;
@@ -75,7 +66,7 @@ class RasterFrames {
   float radius_;
   FrameOptions options_;
   SamplePattern pattern_;
-  std::map<Sidedness, Answers> answers_;
+  std::map<Sidedness, Answers> exact_;
 };
 
 }  // namespace lkao::bench

@@ -25,8 +25,8 @@ std::string raster_csv_rows(const RasterStudy& study) {
     const FrameResult& r = study.results[i];
     rows += fmt::format("{},{:g},{},{},{:.5g},{:.5g},{:.4g},{:.4g},{:.4g},{:.4g},{:.6f},{},{},{}\n", study.scene,
                         study.radius, study.name, study.variants[i], r.milliseconds, r.mrays_per_second,
-                        r.mismatch_rate, r.error.mae, r.error.rmse, r.error.max_error, r.error.equal_8bit_share,
-                        r.counts.drawn, r.counts.survivors, r.counts.masks);
+                        r.off.mismatch_rate, r.off.error.mae, r.off.error.rmse, r.off.error.max_error,
+                        r.off.error.equal_8bit_share, r.counts.drawn, r.counts.survivors, r.counts.masks);
   }
   return rows;
 }
@@ -41,10 +41,10 @@ std::string raster_table_rows(const RasterStudy& study) {
   std::string rows;
   for (std::size_t i = 0; i < study.results.size(); ++i) {
     const FrameResult& r = study.results[i];
-    rows +=
-        fmt::format("{:14} {:7g} {:10} {:28} | {:9.2f} {:8.2f} | {:9.2g} {:9.2g} {:6.2f}%{}\n", study.scene,
-                    study.radius, study.name, study.variants[i], r.milliseconds, r.mrays_per_second, r.mismatch_rate,
-                    r.error.mae, 100 * r.error.equal_8bit_share, relative(r, study.results.back()));
+    rows += fmt::format("{:14} {:7g} {:10} {:28} | {:9.2f} {:8.2f} | {:9.2g} {:9.2g} {:6.2f}%{}\n", study.scene,
+                        study.radius, study.name, study.variants[i], r.milliseconds, r.mrays_per_second,
+                        r.off.mismatch_rate, r.off.error.mae, 100 * r.off.error.equal_8bit_share,
+                        relative(r, study.results.back()));
   }
   return rows;
 }

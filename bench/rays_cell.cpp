@@ -11,10 +11,10 @@
 #include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 
+#include "cli/median.h"
 #include "cli/stopwatch.h"
 #include "embree_modes.h"
 #include "lkao/isa.h"
-#include "median.h"
 
 namespace lkao::bench {
 namespace {
@@ -101,7 +101,7 @@ void measure(const CellInput& input, const MeasureOptions& options, Cell& cell) 
 
   const double rays = static_cast<double>(ray_count);
   for (const Method& method : methods) {
-    cell.results.push_back({method.name, method.isa, rays / median(method.seconds) * 1e-6,
+    cell.results.push_back({method.name, method.isa, rays / cli::median(method.seconds) * 1e-6,
                             static_cast<double>(count_differences(method.masks, expected)) / rays});
   }
 }

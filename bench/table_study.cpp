@@ -1,7 +1,6 @@
 // lkao_bench_tables: what a plane mask table gets wrong, and what it costs, by resolution, ray count and addressing.
 // Nearest cells are compared with the exact query ray by ray; must/may tables must agree with it.
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstdio>
 #include <fstream>
@@ -13,7 +12,7 @@
 
 #include <fmt/format.h>
 
-#include "cli/stopwatch.h"
+#include "answers.h"
 #include "image/atomic_file.h"
 #include "image/metrics.h"
 #include "lkao/lkao.h"
@@ -34,7 +33,7 @@ struct Options {
   std::string falloff = "constant";
   double max_mib = 1024;
   int plane_count = 10'000;
-  int repeat_count = 1;
+  int round_count = 1;
   std::string csv;
 };
 
@@ -43,27 +42,6 @@ const std::map<std::string, PlaneAddressing> kAddressings = {{"cube", PlaneAddre
 const std::map<std::string, PlaneMasks> kMasks = {{"nearest", PlaneMasks::nearest}, {"must_may", PlaneMasks::must_may}};
 const std::map<std::string, NodeMasks> kNodeMasks = {{"sphere", NodeMasks::bounding_sphere},
                                                      {"outline", NodeMasks::box_outline}};
-
-// The answers for all receivers of a scene at one radius.
-struct Answers {
-  std::vector<float> occlusion;
-  std::vector<std::uint64_t> mask_words;
-  std::uint64_t ray_count = 0;
-  double seconds = 0;
-};
-
-Answers ask(const AmbientOcclusion& ao, const std::vector<Receiver>& receivers, int repeat_count) {
-  Answers answers;
-  answers.occlusion.resize(receivers.size());
-  answers.mask_words.resize(receivers.size() * static_cast<std::size_t>(ao.pattern().word_count()));
-  for (int i = 0; i < repeat_count; ++i) {
-    const cli::Stopwatch time;
-    const QueryReport report = ao.query(receivers, {.occlusion = answers.occlusion, .mask_words = answers.mask_words});
-    answers.seconds = i == 0 ? time.seconds() : std::min(answers.seconds, time.seconds());
-    answers.ray_count = report.ray_count;
-  }
-  return answers;
-}
 
 // A scene at one radius, and its exact answers for the pattern in use.
 struct Case {
@@ -91,15 +69,12 @@ struct Result {
   double seconds = 0;
 };
 
-Result measure(const Case& c, const PlaneMaskTable& table, NodeMasks node_masks, int repeat_count) {
+Result measure(const Case& c, const PlaneMaskTable& table, NodeMasks node_masks, int round_count) {
   const AmbientOcclusion ao(c.occluders, table, {.radius = c.radius, .node_masks = node_masks});
-  const Answers answers = ask(ao, c.scene->receivers, repeat_count);
-  std::uint64_t wrong_count = 0;
-  for (std::size_t i = 0; i < answers.mask_words.size(); ++i) {
-    wrong_count += static_cast<std::uint64_t>(std::popcount(answers.mask_words[i] ^ c.exact.mask_words[i]));
-  }
-  return {static_cast<double>(wrong_count) / static_cast<double>(c.scene->receivers.size()),
-          image::compare(answers.occlusion, c.exact.occlusion), answers.ray_count, answers.seconds};
+  const Answers answers = ask({&ao, 1}, c.scene->receivers, round_count).front();
+  const Deviation off = deviation(answers, c.exact);
+  return {static_cast<double>(off.wrong_ray_count) / static_cast<double>(c.scene->receivers.size()), off.error,
+          answers.ray_count, answers.seconds};
 }
 
 // The plain mean over scenes; times and rays are added up.
@@ -226,8 +201,8 @@ class Study {
     double scalar_seconds = 0, simd_seconds = 0;
     for (Case& c : cases_) {
       const auto ask_kernel = [&](Kernel kernel) {
-        return ask(AmbientOcclusion(c.occluders, pattern, {.radius = c.radius, .kernel = kernel}), c.scene->receivers,
-                   options_.repeat_count);
+        const AmbientOcclusion ao(c.occluders, pattern, {.radius = c.radius, .kernel = kernel});
+        return ask({&ao, 1}, c.scene->receivers, options_.round_count).front();
       };
       c.exact = ask_kernel(Kernel::scalar);
       c.simd_seconds = ask_kernel(Kernel::simd).seconds;
@@ -251,7 +226,7 @@ class Study {
     for (const std::string& node_masks : options_.node_masks) {
       std::vector<Result> results;
       for (const Case& c : cases_) {
-        results.push_back(measure(c, table, kNodeMasks.at(node_masks), options_.repeat_count));
+        results.push_back(measure(c, table, kNodeMasks.at(node_masks), options_.round_count));
         report_.add(c, table, names, node_masks, planes, results.back());
       }
       report_.print(table, names, node_masks, planes, mean(results));
@@ -312,7 +287,7 @@ int run(int argc, char** argv) {
   program.add_option("--planes", options.plane_count, "random planes and triangles")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
-  program.add_option("--repeat", options.repeat_count, "runs, of which the fastest counts")
+  program.add_option("--rounds", options.round_count, "of which the median counts")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
   program.add_option("--csv", options.csv, "write every measurement to this file");

@@ -1,8 +1,8 @@
 #include "cli/raster_method.h"
 
-#include <algorithm>
 #include <vector>
 
+#include "cli/median.h"
 #include "cli/stopwatch.h"
 #include "raster/rasterizer.h"
 
@@ -24,13 +24,6 @@ gl::DrawOptions draw_options(const OcclusionOptions& options) {
   return {.radius = static_cast<float>(options.radius.value()),
           .two_sided = options.sidedness == Sidedness::two_sided,
           .seed = options.seed};
-}
-
-// The lower one of the middle two.
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>((values.size() - 1) / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 std::vector<double> draw_repeatedly(raster::Rasterizer& rasterizer, const gl::DrawOptions& options,

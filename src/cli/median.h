@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace lkao::bench {
+namespace lkao::cli {
 
 // Of at least one value; the upper one of the middle two.
 inline double median(std::vector<double> values) {
@@ -14,4 +14,4 @@ inline double median(std::vector<double> values) {
   return *middle;
 }
 
-}  // namespace lkao::bench
+}  // namespace lkao::cli
