@@ -20,6 +20,7 @@
 #include "cli/median.h"
 #include "commands.h"
 #include "csv_file.h"
+#include "options.h"
 #include "scene/builtin.h"
 #include "study_scenes.h"
 
@@ -107,9 +108,7 @@ Command add_build_command(CLI::App& program) {
   auto options = std::make_shared<Options>();
   options->thread_counts = default_thread_counts();
   CLI::App* app = program.add_subcommand("build", "Time and memory of hierarchies, lkao against Embree's scenes.");
-  app->add_option("--views", options->scenes.views, "meshes of this views.json instead of built-in ones");
-  app->add_option("--scenes", options->scenes.names, "names of scenes (default: all; built in: atrium, city)")
-      ->delimiter(',');
+  add_scene_options(*app, options->scenes);
   app->add_option("--hairball", options->hairballs,
                   "also, or alone without --scenes: the built-in hairball with this many triangles")
       ->delimiter(',')
@@ -122,10 +121,8 @@ Command add_build_command(CLI::App& program) {
   app->add_option("--methods", options->methods, "of lkao, embree_high, embree_medium; one, for its peak memory")
       ->delimiter(',')
       ->transform(CLI::CheckedTransformer(methods));
-  app->add_option("--rounds", options->round_count, "of which the median counts")
-      ->check(CLI::Range(1, 1000))
-      ->capture_default_str();
-  app->add_option("--csv", options->csv, "write every measurement to this file");
+  add_rounds_option(*app, options->round_count);
+  add_csv_option(*app, options->csv);
   return {app, [options] { Comparison(*options).run(); }};
 }
 

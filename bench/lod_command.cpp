@@ -14,6 +14,7 @@
 #include "csv_file.h"
 #include "lod/occluders.h"
 #include "lod/simplify.h"
+#include "options.h"
 #include "raster_frames.h"
 #include "study_scenes.h"
 
@@ -174,11 +175,8 @@ Command add_lod_command(CLI::App& program) {
   auto options = std::make_shared<Options>();
   options->frames.round_count = 1;
   CLI::App* app = program.add_subcommand("lod", "Levels of detail: time saved and error added, at the large radius.");
-  app->add_option("--views", options->scenes.views, "scenes of this views.json instead of built-in ones");
-  app->add_option("--scenes", options->scenes.names, "names of scenes (default: all; built in: atrium, city)")
-      ->delimiter(',');
-  app->add_option("--width", options->scenes.width)->check(CLI::Range(1, 16384))->capture_default_str();
-  app->add_option("--height", options->scenes.height)->check(CLI::Range(1, 16384))->capture_default_str();
+  add_scene_options(*app, options->scenes);
+  add_size_options(*app, options->scenes);
   app->add_option("--k", options->ks, "how many times its error a level stays away")
       ->delimiter(',')
       ->check(CLI::PositiveNumber)
@@ -186,11 +184,10 @@ Command add_lod_command(CLI::App& program) {
   app->add_option("--levels", options->level_count, "with the original")
       ->check(CLI::Range(2, 8))
       ->capture_default_str();
-  app->add_option("--rounds", options->frames.round_count, "of which the median counts")
-      ->check(CLI::Range(1, 1000))
-      ->capture_default_str();
+  add_rounds_option(*app, options->frames.round_count);
+  add_gl_option(*app, options->frames.device);
   app->add_flag("--without-raster", options->without_raster, "the query alone");
-  app->add_option("--csv", options->csv, "write every measurement to this file");
+  add_csv_option(*app, options->csv);
   return {app, [options] { Studies(*options).run(); }};
 }
 

@@ -12,6 +12,7 @@
 #include <fmt/ostream.h>
 
 #include "image/image.h"
+#include "options.h"
 #include "pattern_errors.h"
 #include "pattern_image.h"
 #include "program.h"
@@ -250,12 +251,11 @@ int run(int argc, char** argv) {
   options.scenes.width = 1024;
   options.scenes.height = 768;
   CLI::App app("Errors of sample patterns against the integral with closest hits.", "lkao_bench_patterns");
-  app.add_option("--views", options.scenes.views, "scenes of this views.json instead of built-in ones");
-  app.add_option("--scenes", options.scenes.names, "names of scenes (default: all)")->delimiter(',');
+  add_scene_options(app, options.scenes);
   app.add_option("--receivers", options.receiver_count, "receivers a scene")->check(CLI::Range(2, 1 << 20));
   app.add_option("--reference-rays", options.study.reference_ray_count)->check(CLI::Range(64, 1 << 20));
   app.add_option("--seeds", options.study.seed_count, "patterns of each kind")->check(CLI::Range(1, 100));
-  app.add_option("--csv", options.csv, "where to write every figure");
+  add_csv_option(app, options.csv);
   app.add_option("--image", options.image, "only write a picture of every pattern at work (.png, .exr)");
   app.add_option("--image-scene", options.image_scene, "built-in scene of the picture");
   return run_program(app, argc, argv, [&] {

@@ -12,6 +12,7 @@
 
 #include "commands.h"
 #include "csv_file.h"
+#include "options.h"
 #include "raster_frames.h"
 #include "raster_report.h"
 #include "study_scenes.h"
@@ -142,27 +143,18 @@ void check(const Options& options) {
 Command add_raster_command(CLI::App& program) {
   auto options = std::make_shared<Options>();
   CLI::App* app = program.add_subcommand("raster", "The rasterised method: time and errors against the CPU's query.");
-  app->add_option("--views", options->scenes.views, "scenes of this views.json instead of built-in ones");
-  app->add_option("--scenes", options->scenes.names, "names of scenes (default: all; built in: atrium, city)")
-      ->delimiter(',');
+  add_scene_options(*app, options->scenes);
   app->add_option("--radii", options->radii, "AO radii (default: each scene's own)")
       ->delimiter(',')
       ->check(CLI::PositiveNumber);
-  app->add_option("--width", options->scenes.width)->check(CLI::Range(1, 16384))->capture_default_str();
-  app->add_option("--height", options->scenes.height)->check(CLI::Range(1, 16384))->capture_default_str();
+  add_size_options(*app, options->scenes);
   app->add_option("--samples", options->frames.ray_count, "rays a receiver")->capture_default_str();
   app->add_option("--studies", options->studies, "methods, culls, shapes, back_ends (default: all)")
       ->delimiter(',')
       ->check(CLI::IsMember(kStudies));
-  app->add_option("--rounds", options->frames.round_count, "frames, of which the median counts")
-      ->check(CLI::Range(1, 1000))
-      ->capture_default_str();
-  const std::map<std::string, gl::Device> devices = {
-      {"auto", gl::Device::automatic}, {"hardware", gl::Device::hardware}, {"software", gl::Device::software}};
-  app->add_option("--gl", options->frames.device, "which OpenGL to use")
-      ->transform(CLI::CheckedTransformer(devices))
-      ->default_str("auto");
-  app->add_option("--csv", options->csv, "write every measurement to this file");
+  add_rounds_option(*app, options->frames.round_count);
+  add_gl_option(*app, options->frames.device);
+  add_csv_option(*app, options->csv);
   return {app, [options] {
             check(*options);
             Studies(*options).run();

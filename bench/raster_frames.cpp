@@ -12,6 +12,14 @@ bool share_a_pass(const FrameSetup& a, const FrameSetup& b) {
 
 }  // namespace
 
+void add_gl_option(CLI::App& app, gl::Device& device) {
+  const std::map<std::string, gl::Device> devices = {
+      {"auto", gl::Device::automatic}, {"hardware", gl::Device::hardware}, {"software", gl::Device::software}};
+  app.add_option("--gl", device, "which OpenGL to use")
+      ->transform(CLI::CheckedTransformer(devices))
+      ->default_str("auto");
+}
+
 RasterFrames::RasterFrames(raster::Rasterizer& rasterizer, const StudyScene& scene, float radius,
                            const FrameOptions& options)
     : rasterizer_(rasterizer),

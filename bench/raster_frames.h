@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include <CLI/CLI.hpp>
+
 #include "answers.h"
 #include "lkao/gl.h"
 #include "lkao/lkao.h"
@@ -38,6 +40,9 @@ struct FrameOptions {
   int round_count = 3;
   gl::Device device = gl::Device::automatic;
 };
+
+// --gl
+void add_gl_option(CLI::App& app, gl::Device& device);
 
 // One scene at one radius.
 class RasterFrames {

@@ -12,6 +12,7 @@
 #include "commands.h"
 #include "csv_file.h"
 #include "lkao/lkao.h"
+#include "options.h"
 #include "rays_cell.h"
 #include "rays_report.h"
 #include "study_scenes.h"
@@ -99,13 +100,9 @@ void check(const Options& options) {
 Command add_rays_command(CLI::App& program) {
   auto options = std::make_shared<Options>();
   CLI::App* app = program.add_subcommand("rays", "Millions of rays a second, lkao against Embree.");
-  app->add_option("--views", options->scenes.views, "scenes of this views.json instead of built-in ones");
-  app->add_option("--scenes", options->scenes.names, "names of scenes (default: all; built in: atrium, city)")
-      ->delimiter(',');
+  add_scene_options(*app, options->scenes);
   app->add_option("--samples", options->ray_counts, "rays a receiver")->delimiter(',')->capture_default_str();
-  app->add_option("--rounds", options->measure.round_count, "of which the median counts")
-      ->check(CLI::Range(1, 1000))
-      ->capture_default_str();
+  add_rounds_option(*app, options->measure.round_count);
   app->add_option("--tiles", options->tile_count, "32 x 32 pixels each, of the view at 1024 x 768")
       ->check(CLI::Range(1, 768))
       ->capture_default_str();
@@ -115,7 +112,7 @@ Command add_rays_command(CLI::App& program) {
   app->add_option(
       "--isa", options->isa,
       "instruction set of both: avx512, avx2, sse4, ... (default: the best, and the others for lkao alone)");
-  app->add_option("--csv", options->csv, "write every measurement to this file");
+  add_csv_option(*app, options->csv);
   return {app, [options] {
             check(*options);
             if (!options->isa.empty()) force_isa(options->isa);

@@ -16,6 +16,7 @@
 #include "image/atomic_file.h"
 #include "image/metrics.h"
 #include "lkao/lkao.h"
+#include "options.h"
 #include "plane_errors.h"
 #include "program.h"
 #include "study_scenes.h"
@@ -264,10 +265,8 @@ std::vector<std::string> names_of(const std::map<std::string, Value>& values) {
 int run(int argc, char** argv) {
   Options options;
   CLI::App program("Error, size and speed of plane mask tables.", "lkao_bench_tables");
-  program.add_option("--views", options.scenes.views, "views.json with scenes, cameras and radii");
-  program.add_option("--scenes", options.scenes.names, "names in that file, or of built-in scenes")->delimiter(',');
-  program.add_option("--width", options.scenes.width, "of the image of receivers")->capture_default_str();
-  program.add_option("--height", options.scenes.height)->capture_default_str();
+  add_scene_options(program, options.scenes);
+  add_size_options(program, options.scenes);
   program.add_option("--resolutions", options.resolutions)->delimiter(',')->capture_default_str();
   program.add_option("--rays", options.ray_counts)->delimiter(',')->capture_default_str();
   program.add_option("--addressings", options.addressings)
@@ -287,10 +286,8 @@ int run(int argc, char** argv) {
   program.add_option("--planes", options.plane_count, "random planes and triangles")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
-  program.add_option("--rounds", options.round_count, "of which the median counts")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  program.add_option("--csv", options.csv, "write every measurement to this file");
+  add_rounds_option(program, options.round_count);
+  add_csv_option(program, options.csv);
   return run_program(program, argc, argv, [&] { return Study(options).run() ? 0 : 1; });
 }
 

@@ -1,0 +1,25 @@
+#include "options.h"
+
+namespace lkao::bench {
+
+void add_scene_options(CLI::App& app, StudySceneOptions& scenes) {
+  app.add_option("--views", scenes.views, "scenes of this views.json instead of built-in ones");
+  app.add_option("--scenes", scenes.names, "names of scenes (default: all; built in: atrium, city)")->delimiter(',');
+}
+
+void add_size_options(CLI::App& app, StudySceneOptions& scenes) {
+  app.add_option("--width", scenes.width, "of the view, in pixels")->check(CLI::Range(1, 16384))->capture_default_str();
+  app.add_option("--height", scenes.height, "of the view")->check(CLI::Range(1, 16384))->capture_default_str();
+}
+
+void add_rounds_option(CLI::App& app, int& round_count) {
+  app.add_option("--rounds", round_count, "of which the median counts")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+}
+
+void add_csv_option(CLI::App& app, std::string& path) {
+  app.add_option("--csv", path, "write every measurement to this file");
+}
+
+}  // namespace lkao::bench

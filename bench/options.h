@@ -1,0 +1,21 @@
+// Options that several of the programs have.
+#pragma once
+
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "study_scenes.h"
+
+namespace lkao::bench {
+
+// --views, --scenes
+void add_scene_options(CLI::App& app, StudySceneOptions& scenes);
+// --width, --height
+void add_size_options(CLI::App& app, StudySceneOptions& scenes);
+// --rounds
+void add_rounds_option(CLI::App& app, int& round_count);
+// --csv
+void add_csv_option(CLI::App& app, std::string& path);
+
+}  // namespace lkao::bench
