@@ -78,11 +78,16 @@ bool make_planes(vec3 corner_a, vec3 corner_b, vec3 corner_c, vec3 unit_normal, 
 
 #else
 
+// A power of two that brings the AO radius to [1, 2): edges have the unit of a square, and their lengths that of its square,
+// for which float has no room in very large and very small units. No bit changes otherwise.
+float unit_scale() { return uintBitsToFloat(0x7f000000u - (floatBitsToUint(ao_radius()) & 0x7f800000u)); }
+
 // The edge itself is taken from the corners as they are: far from the receiver, differences of differences would be noise.
 // A neighbour that has the edge the other way round gets the same plane, negated.
 void set_edge(inout Planes planes, int i, vec3 corner_from, vec3 corner_to, vec3 origin, float facing, float ray_norm) {
-  precise vec3 from = corner_from - origin, to = corner_to - origin;
-  precise vec3 sum = from + to, along = corner_to - corner_from;
+  float scale = unit_scale();
+  precise vec3 from = (corner_from - origin) * scale, to = (corner_to - origin) * scale;
+  precise vec3 sum = from + to, along = (corner_to - corner_from) * scale;
   precise vec3 edge = facing * vec3(sum.y * along.z - sum.z * along.y, sum.z * along.x - sum.x * along.z,
                                     sum.x * along.y - sum.y * along.x);
   float size = (norm(from) + norm(to)) * norm(along);

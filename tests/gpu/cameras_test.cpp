@@ -121,7 +121,7 @@ TEST_F(Cameras, MayStandInsideOfTheShapes) {
 }
 
 TEST_F(Cameras, MayBeFarFromTheOriginAndInAnyUnit) {
-  for (const float scale : {1e-3f, 1e3f}) {
+  for (const float scale : {1e-10f, 1e-3f, 1e3f, 1e9f}) {
     Mesh mesh = furnished_room();
     const glm::vec3 move(3.0f, -20.0f, 7.0f);
     for (glm::vec3& position : mesh.positions) position = scale * (position + move);
