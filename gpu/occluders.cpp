@@ -148,7 +148,11 @@ void Occluders::draw(Shape shape, GeometryBackEnd back_end) const {
   glBindVertexArray((is_pulled ? pulled : no_attributes_).name());
   for (const TriangleBuffers& triangles : triangles_) {
     triangles.bind(shape);
-    is_pulled ? triangles.draw_batches(shape) : triangles.draw_points(shape);
+    if (is_pulled) {
+      triangles.draw_batches(shape);
+    } else {
+      triangles.draw_points(shape);
+    }
   }
 }
 
