@@ -15,13 +15,7 @@ namespace {
 constexpr int kWidth = 128;
 constexpr int kHeight = 96;
 
-class BackEnds : public InFurnishedRoom<kWidth, kHeight> {
- protected:
-  std::vector<std::uint64_t> draw(OcclusionPass& pass, const DrawOptions& options) const {
-    pass.draw(g_buffer_->by_positions(), camera_, options);
-    return pass.read_masks();
-  }
-};
+using BackEnds = InFurnishedRoom<kWidth, kHeight>;
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 

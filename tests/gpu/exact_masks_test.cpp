@@ -42,8 +42,7 @@ TEST_F(ExactMasks, AreTheCpusInFloat) {
     for (const float radius : {0.15f, 0.8f, 3.0f}) {
       SCOPED_TRACE(testing::Message() << "two-sided " << two_sided << ", radius " << radius);
       const DrawOptions options{.radius = radius, .two_sided = two_sided, .seed = 3};
-      pass.draw(g_buffer_->by_positions(), camera_, options);
-      const std::vector<std::uint64_t> masks = pass.read_masks();
+      const std::vector<std::uint64_t> masks = draw(pass, options);
       if (radius < 0.5f) {
         // Too few rays are blocked for expect_close.
         const auto expected = cpu_masks(mesh_, g_buffer_->receivers(), table.pattern(), query_options(options));

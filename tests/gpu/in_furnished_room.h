@@ -1,7 +1,9 @@
 // Tests that look at the furnished room.
 #pragma once
 
+#include <cstdint>
 #include <memory>
+#include <vector>
 
 #include "gpu/g_buffer_pass.h"
 #include "gpu/on_software.h"
@@ -22,6 +24,12 @@ class InFurnishedRoom : public OnSoftware {
   }
   // Before the context goes.
   void TearDown() override { g_buffer_.reset(); }
+
+  // The masks of a frame.
+  std::vector<std::uint64_t> draw(OcclusionPass& pass, const DrawOptions& options) const {
+    pass.draw(g_buffer_->by_positions(), camera_, options);
+    return pass.read_masks();
+  }
 
   Mesh mesh_;
   Camera camera_;

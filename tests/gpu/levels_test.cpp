@@ -61,11 +61,6 @@ class LevelsInThePass : public InFurnishedRoom<kWidth, kHeight> {
     return levels;
   }
 
-  std::vector<std::uint64_t> draw(OcclusionPass& pass, const DrawOptions& options) const {
-    pass.draw(g_buffer_->by_positions(), camera_, options);
-    return pass.read_masks();
-  }
-
   std::size_t ray_count(const SamplePattern& pattern) const {
     return std::size_t{kWidth} * kHeight * static_cast<std::size_t>(pattern.ray_count());
   }

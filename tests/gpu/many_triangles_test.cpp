@@ -32,11 +32,6 @@ class ManyTriangles : public InFurnishedRoom<48, 36> {
   }
   std::size_t place_of(std::size_t i) const { return triangle_count_ / mesh_.triangles.size() * i; }
 
-  std::vector<std::uint64_t> draw(OcclusionPass& pass, const DrawOptions& options) const {
-    pass.draw(g_buffer_->by_positions(), camera_, options);
-    return pass.read_masks();
-  }
-
   std::size_t triangle_count_ = 0;
 };
 

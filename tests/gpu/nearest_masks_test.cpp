@@ -84,8 +84,7 @@ TEST_F(NearestMasks, AreTheCpusLookUps) {
       OcclusionPass pass = make_pass(mesh_, table, {.precision = precision});
       const bool two_sided = addressing == PlaneAddressing::slices;
       const DrawOptions options{.radius = 0.8f, .two_sided = two_sided, .seed = 5};
-      pass.draw(g_buffer_->by_positions(), camera_, options);
-      const auto masks = pass.read_masks();
+      const auto masks = draw(pass, options);
       const auto expected = look_up_all(mesh_, table, pass.read_receivers(), options);
       // Where a plane lies on the border of two cells, rounding decides between them.
       const double share = share_of_equal_pixels(masks, expected, table.pattern().word_count());
@@ -101,8 +100,7 @@ TEST_F(NearestMasks, AreNearTheExactOnes) {
   const PlaneMaskTable table(SamplePattern::standard(128), {.resolution = 128, .masks = PlaneMasks::nearest});
   OcclusionPass pass = make_pass(mesh_, table);
   const DrawOptions options{.radius = 0.8f};
-  pass.draw(g_buffer_->by_positions(), camera_, options);
-  const auto masks = pass.read_masks();
+  const auto masks = draw(pass, options);
   const auto exact = cpu_masks(mesh_, g_buffer_->receivers(), table.pattern(), query_options(options));
   double error = 0;
   std::size_t same_count = 0;
