@@ -63,6 +63,8 @@ SamplePattern make_pattern(const OcclusionOptions& options) {
   return options.falloff.name() == "constant" ? pattern : pattern.with_falloff(options.falloff);
 }
 
+float radius_of(const OcclusionOptions& options) { return static_cast<float>(options.radius.value()); }
+
 PlaneMaskTable make_table(const OcclusionOptions& options, PlaneMasks masks) {
   PlaneMaskTableOptions table;
   table.masks = masks;
@@ -72,7 +74,7 @@ PlaneMaskTable make_table(const OcclusionOptions& options, PlaneMasks masks) {
 AmbientOcclusion make_query(std::vector<OccluderLevel> levels, const OcclusionOptions& options) {
   const KernelChoice kernel = options.kernel.value_or(KernelChoice::simd);
   QueryOptions query;
-  query.radius = static_cast<float>(options.radius.value());
+  query.radius = radius_of(options);
   query.sidedness = options.sidedness;
   query.seed = options.seed;
   query.kernel = kernel == KernelChoice::scalar ? Kernel::scalar : Kernel::simd;

@@ -56,6 +56,8 @@ struct OcclusionOptions {
 };
 void add_occlusion_options(CLI::App& app, OcclusionOptions& options);
 
+// The AO radius, which must be given by now.
+float radius_of(const OcclusionOptions& options);
 SamplePattern make_pattern(const OcclusionOptions& options);
 PlaneMaskTable make_table(const OcclusionOptions& options, PlaneMasks masks);
 // Needs the radius; by the exact kernels only where there are several levels.

@@ -21,9 +21,7 @@ const char* name_of(gl::Accumulator accumulator) {
 }
 
 gl::DrawOptions draw_options(const OcclusionOptions& options) {
-  return {.radius = static_cast<float>(options.radius.value()),
-          .two_sided = options.sidedness == Sidedness::two_sided,
-          .seed = options.seed};
+  return {.radius = radius_of(options), .two_sided = options.sidedness == Sidedness::two_sided, .seed = options.seed};
 }
 
 std::vector<double> draw_repeatedly(raster::Rasterizer& rasterizer, const gl::DrawOptions& options,

@@ -39,13 +39,10 @@ void load(const RenderingOptions& options, Rendering& result, ProgressBar& progr
   report_dropped_triangles(result.scene);
 }
 
-// There is one: load() sees to that.
-float radius_of(const RenderingOptions& options) { return static_cast<float>(options.occlusion.radius.value()); }
-
 void make_levels(const RenderingOptions& options, Rendering& result, ProgressBar& progress) {
   if (!options.lod) return;
   const Stopwatch watch;
-  result.chain = make_chain(*options.lod, result.scene.mesh, radius_of(options), progress);
+  result.chain = make_chain(*options.lod, result.scene.mesh, radius_of(options.occlusion), progress);
   result.lod_seconds = watch.seconds();
 }
 
@@ -55,7 +52,7 @@ void build(const RenderingOptions& options, Casters& casters, Rendering& result,
   const scene::Mesh& mesh = result.scene.mesh;
   progress.begin("building the hierarchy");
   Stopwatch watch;
-  std::vector<OccluderLevel> levels = result.chain ? lod::build_levels(*result.chain, radius_of(options))
+  std::vector<OccluderLevel> levels = result.chain ? lod::build_levels(*result.chain, radius_of(options.occlusion))
                                                    : std::vector{OccluderLevel{OccluderBvh(mesh.view())}};
   result.build_seconds = watch.lap();
   casters.ao.emplace(make_query(std::move(levels), options.occlusion));
@@ -95,7 +92,8 @@ Rendering compute_rendering(const RenderingOptions& options, ProgressBar& progre
 
   if (raster) {
     progress.begin("drawing");
-    const lod::RangedMesh merged = result.chain ? lod::merge(*result.chain, radius_of(options)) : lod::RangedMesh{};
+    const lod::RangedMesh merged =
+        result.chain ? lod::merge(*result.chain, radius_of(options.occlusion)) : lod::RangedMesh{};
     casters.frame =
         raster->draw(result.chain ? merged.mesh : result.scene.mesh, merged.ranges, result.camera, result.view,
                      options.occlusion, {.bent_normals = options.layers.bent_normals, .masks = options.reference});
