@@ -2,18 +2,14 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <span>
 
 namespace lkao::lod {
-namespace {
 
 std::span<const Level> levels_within(const Chain& chain, float radius) {
   const auto last = std::find_if(chain.levels.begin(), chain.levels.end(),
                                  [radius](const Level& level) { return level.r_min > 0 && level.r_min >= radius; });
   return {chain.levels.begin(), last};
 }
-
-}  // namespace
 
 std::vector<OccluderLevel> build_levels(const Chain& chain, float radius) {
   std::vector<OccluderLevel> levels;

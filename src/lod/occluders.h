@@ -2,6 +2,7 @@
 // `radius` or beyond it. The original is always there.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -10,6 +11,9 @@
 #include "lod/chain.h"
 
 namespace lkao::lod {
+
+// Those levels.
+std::span<const Level> levels_within(const Chain& chain, float radius);
 
 // Builds a hierarchy for every level, for AmbientOcclusion.
 std::vector<OccluderLevel> build_levels(const Chain& chain, float radius);
