@@ -1,7 +1,6 @@
 #include "rays_cell.h"
 
 #include <algorithm>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -15,6 +14,7 @@
 #include "cli/stopwatch.h"
 #include "embree_modes.h"
 #include "lkao/isa.h"
+#include "reference/embree_reference.h"
 
 namespace lkao::bench {
 namespace {
@@ -29,12 +29,6 @@ struct Method {
   std::vector<double> seconds = {};  // a round each
   Masks masks = {};
 };
-
-std::uint64_t count_differences(const Masks& a, const Masks& b) {
-  std::uint64_t count = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) count += static_cast<std::uint64_t>(std::popcount(a[i] ^ b[i]));
-  return count;
-}
 
 template <typename Results, typename Test>
 const MethodResult& fastest(const Results& results, const Test& test) {
@@ -102,7 +96,7 @@ void measure(const CellInput& input, const MeasureOptions& options, Cell& cell) 
   const double rays = static_cast<double>(ray_count);
   for (const Method& method : methods) {
     cell.results.push_back({method.name, method.isa, rays / cli::median(method.seconds) * 1e-6,
-                            static_cast<double>(count_differences(method.masks, expected)) / rays});
+                            static_cast<double>(reference::count_mismatched_rays(method.masks, expected)) / rays});
   }
 }
 
