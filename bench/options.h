@@ -9,8 +9,8 @@
 
 namespace lkao::bench {
 
-// --views, --scenes
-void add_scene_options(CLI::App& app, StudySceneOptions& scenes);
+// --views, --scenes. `built_in`: the scenes without either, for the help.
+void add_scene_options(CLI::App& app, StudySceneOptions& scenes, const std::string& built_in = "atrium, city");
 // --width, --height
 void add_size_options(CLI::App& app, StudySceneOptions& scenes);
 // --rounds

@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 #include <fmt/ostream.h>
+#include <fmt/ranges.h>
 
 #include "image/image.h"
 #include "options.h"
@@ -41,6 +42,8 @@ struct Options {
 constexpr PatternKind kKinds[] = {PatternKind::lloyd, PatternKind::paper, PatternKind::fibonacci, PatternKind::sobol,
                                   PatternKind::random};
 constexpr int kRayCounts[] = {64, 128, 256, 512, 1024};
+// Without --views and --scenes.
+const std::vector<std::string> kBuiltIn = {"atrium", "city", "hairball", "wall", "sphere"};
 constexpr Jitter kPlainJitter{.rotation = 1, .tilt = 0};
 
 bool is_plain(const Jitter& jitter) {
@@ -251,7 +254,7 @@ int run(int argc, char** argv) {
   options.scenes.width = 1024;
   options.scenes.height = 768;
   CLI::App app("Errors of sample patterns against the integral with closest hits.", "lkao_bench_patterns");
-  add_scene_options(app, options.scenes);
+  add_scene_options(app, options.scenes, fmt::format("{}", fmt::join(kBuiltIn, ", ")));
   app.add_option("--receivers", options.receiver_count, "receivers a scene")->check(CLI::Range(2, 1 << 20));
   app.add_option("--reference-rays", options.study.reference_ray_count)->check(CLI::Range(64, 1 << 20));
   app.add_option("--seeds", options.study.seed_count, "patterns of each kind")->check(CLI::Range(1, 100));
@@ -260,7 +263,7 @@ int run(int argc, char** argv) {
   app.add_option("--image-scene", options.image_scene, "built-in scene of the picture");
   return run_program(app, argc, argv, [&] {
     if (options.scenes.views.empty() && options.scenes.names.empty()) {
-      options.scenes.names = {"atrium", "city", "hairball", "wall", "sphere"};
+      options.scenes.names = kBuiltIn;
     }
     if (options.image.empty()) {
       study(options);
