@@ -24,6 +24,7 @@ namespace lkao {
 
 namespace query {
 struct Level;
+struct OccluderExtent;
 struct PatternLanes;
 }  // namespace query
 
@@ -69,7 +70,8 @@ enum class NodeMasks {
 };
 
 struct QueryOptions {
-  // AO radius: the length of the longest ray, in the unit of the positions. > 0, at most 1e18.
+  // AO radius: the length of the longest ray, in the unit of the positions. > 0, at most 1e18; or infinity: then every
+  // ray of non-zero length goes beyond all occluders (ReceiverRays::radius), whatever share of the radius it is.
   float radius = 0;
   Sidedness sidedness = Sidedness::two_sided;
   Jitter jitter = {};
@@ -101,6 +103,9 @@ struct ReceiverRays {
   glm::mat3 frame{1};
   // Unit vector, the geometric normal: no cast ray goes below its horizon.
   glm::vec3 up{0, 0, 1};
+  // The AO radius. Where that is infinite, a power of two that no occluder is farther away than from this origin: with
+  // rays of that length instead, nothing changes.
+  float radius = 0;
   // Rays above the geometric horizon; the others are not cast. Empty for an invalid receiver.
   OcclusionMask cast;
   int ray_count = 0;
@@ -160,6 +165,7 @@ class AmbientOcclusion {
 
   // Answers with the paper's look-ups instead of ray by ray: the pattern is the table's. With PlaneMasks::must_may the
   // answers are the same bit for bit, with PlaneMasks::nearest they are approximate (lut/README.md has the figures).
+  // Throws std::invalid_argument also for an infinite radius where the table's rays are not all of one length.
   AmbientOcclusion(OccluderBvh occluders, PlaneMaskTable table, const QueryOptions& options);
 
   // One receiver, in the calling thread. `index` with the seed gives the jitter: use the pixel, the vertex
@@ -187,7 +193,7 @@ class AmbientOcclusion {
   QueryOptions options_;
   std::optional<PlaneMaskTable> table_;
   std::shared_ptr<const query::PatternLanes> lanes_;
-  float largest_coordinate_ = 0;  // of the occluders
+  std::shared_ptr<const query::OccluderExtent> extent_;
 };
 
 }  // namespace lkao

@@ -27,8 +27,8 @@ void require(bool condition, const char* option, const char* range, double value
 }
 
 void validate(const QueryOptions& options) {
-  require(options.radius > 0 && options.radius <= bvh::kLargestCoordinate, "radius", "greater than 0 and at most 1e18",
-          options.radius);
+  require(options.radius > 0 && (options.radius <= bvh::kLargestCoordinate || std::isinf(options.radius)), "radius",
+          "greater than 0 and at most 1e18, or infinity", options.radius);
   require(options.jitter.rotation >= 0 && options.jitter.rotation <= 1, "jitter.rotation", "in [0, 1] turns",
           options.jitter.rotation);
   require(options.jitter.tilt >= 0 && options.jitter.tilt <= 0.5f * std::numbers::pi_v<float>, "jitter.tilt",
@@ -46,17 +46,6 @@ void validate(const std::vector<OccluderLevel>& levels) {
   }
 }
 
-// Magnitude of the largest coordinate of any occluder; 0 where there is none.
-float largest_coordinate(const OccluderBvh& occluders) {
-  if (occluders.report().occluder_count == 0) return 0;
-  const Bounds& bounds = occluders.bounds();
-  float largest = 0;
-  for (int axis = 0; axis < 3; ++axis) {
-    largest = std::max({largest, std::fabs(bounds.lower[axis]), std::fabs(bounds.upper[axis])});
-  }
-  return largest;
-}
-
 OcclusionMask trace(const AmbientOcclusion& ao, const query::PatternLanes& lanes, const bvh::Layout& layout,
                     const bvh::Query& query) {
   const QueryOptions& options = ao.options();
@@ -70,23 +59,33 @@ template <typename RootOf>
 OcclusionMask trace_levels(const AmbientOcclusion& ao, const query::PatternLanes& lanes,
                            const std::vector<query::Level>& levels, const RootOf& root_of,
                            std::uint32_t excluded_primitive, const ReceiverRays& rays) {
-  const auto trace_level = [&](std::size_t i, const OcclusionMask& open) {
+  const auto trace_level = [&](std::size_t i, const OcclusionMask& open, const bvh::RayParts* parts) {
     const bvh::Query query{.root = root_of(i),
                            .rays = rays,
                            .open = open,
-                           .radius = ao.options().radius,
+                           .radius = rays.radius,
                            .sidedness = ao.options().sidedness,
                            .excluded_primitive = i == 0 ? excluded_primitive : kNoPrimitive,
-                           .parts = levels[i].parts ? &*levels[i].parts : nullptr};
+                           .parts = parts};
     return trace(ao, lanes, levels[i].occluders.layout(), query);
   };
   if (!rays.cast.any()) return {};
-  if (levels.size() == 1 && !levels[0].parts) return trace_level(0, rays.cast);
+  if (levels.size() == 1 && levels[0].is_whole()) return trace_level(0, rays.cast, nullptr);
   OcclusionMask blocked;
   for (std::size_t i = 0; i < levels.size(); ++i) {
     OcclusionMask open = rays.cast & ~blocked;
-    if (levels[i].parts) open = open & levels[i].parts->existing;
-    if (open.any()) blocked = blocked | trace_level(i, open);
+    if (levels[i].is_whole()) {
+      if (open.any()) blocked = blocked | trace_level(i, open, nullptr);
+      continue;
+    }
+    // Instead of an infinite radius, each receiver has one of its own.
+    std::optional<bvh::RayParts> own_parts;
+    if (!levels[i].parts) {
+      own_parts = bvh::make_ray_parts(lanes.length, rays.radius, levels[i].r_min, levels[i].r_max);
+    }
+    const bvh::RayParts& parts = own_parts ? *own_parts : *levels[i].parts;
+    open = open & parts.existing;
+    if (open.any()) blocked = blocked | trace_level(i, open, &parts);
   }
   return blocked;
 }
@@ -98,16 +97,22 @@ AmbientOcclusion::AmbientOcclusion(OccluderBvh occluders, SamplePattern pattern,
 
 AmbientOcclusion::AmbientOcclusion(std::vector<OccluderLevel> levels, SamplePattern pattern,
                                    const QueryOptions& options)
-    : pattern_(std::move(pattern)), options_(options), lanes_(std::make_shared<query::PatternLanes>(pattern_)) {
+    : pattern_(std::move(pattern)),
+      options_(options),
+      lanes_(std::make_shared<query::PatternLanes>(pattern_, std::isinf(options.radius))) {
   validate(options_);
   validate(levels);
   levels_ = std::make_shared<std::vector<query::Level>>(query::make_levels(levels, pattern_, options_.radius));
-  largest_coordinate_ = largest_coordinate(occluders());
+  extent_ = std::make_shared<query::OccluderExtent>(query::extent_of(*levels_));
   lut::obey_isa_environment();
 }
 
 AmbientOcclusion::AmbientOcclusion(OccluderBvh occluders, PlaneMaskTable table, const QueryOptions& options)
     : AmbientOcclusion(std::move(occluders), table.pattern(), options) {
+  const auto lengths = table.pattern().lengths();
+  if (std::isinf(options.radius) && std::any_of(lengths.begin(), lengths.end(), [](float l) { return l != 1; })) {
+    throw std::invalid_argument("radius must be finite, not inf, for a plane mask table of rays of several lengths");
+  }
   table_ = std::move(table);
 }
 
@@ -125,10 +130,10 @@ QueryReport AmbientOcclusion::query(std::span<const Receiver> receivers, const Q
                                     std::uint64_t first_index) const {
   const auto answer_part = [&](std::size_t first, std::size_t last, const auto& take) {
     const std::span<const Receiver> part = receivers.subspan(first, last - first);
-    const Bounds origins = query::bounds_of_origins(part, options_, largest_coordinate_);
+    const Bounds origins = query::bounds_of_origins(part, options_, extent_->largest_coordinate);
     std::vector<bvh::Node> roots;
     for (const query::Level& level : *levels_) {
-      const float far = level.parts ? level.parts->far : options_.radius;
+      const float far = std::min(level.r_max, options_.radius);
       roots.push_back(bvh::make_entry_node(level.occluders.layout(), origins, far));
     }
     const auto root_of = [&](std::size_t level) -> const bvh::Node& { return roots[level]; };
@@ -149,7 +154,7 @@ ReceiverRays AmbientOcclusion::rays(const Receiver& receiver, std::uint64_t inde
 }
 
 void AmbientOcclusion::rays(const Receiver& receiver, std::uint64_t index, ReceiverRays& rays) const {
-  query::make_rays(receiver, *lanes_, options_, largest_coordinate_, index, rays);
+  query::make_rays(receiver, *lanes_, options_, *extent_, index, rays);
 }
 
 const OccluderBvh& AmbientOcclusion::occluders() const { return levels_->front().occluders; }

@@ -1,6 +1,7 @@
 // Levels of detail, prepared for the rays of one query.
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -12,7 +13,12 @@ namespace lkao::query {
 
 struct Level {
   OccluderBvh occluders;
-  std::optional<bvh::RayParts> parts;  // none where whole rays count
+  float r_min, r_max;  // r_max is infinite where it cuts no ray
+  // Of rays of the query's radius; none where that is infinite, since each receiver has a radius of its own then, or
+  // where whole rays count.
+  std::optional<bvh::RayParts> parts;
+
+  bool is_whole() const { return r_min == 0 && r_max == std::numeric_limits<float>::infinity(); }
 };
 
 // For rays with the pattern's lengths times `radius`. Levels that begin behind all rays are left out, but the first.

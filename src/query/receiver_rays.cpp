@@ -72,7 +72,21 @@ glm::mat3 jittered_frame(const Receiver& receiver, const Jitter& jitter, float l
   return glm::mat3(cosine * tangent + sine * bitangent, cosine * bitangent - sine * tangent, axis);
 }
 
-PatternLanes::PatternLanes(const SamplePattern& pattern)
+OccluderExtent extent_of(std::span<const Level> levels) {
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  OccluderExtent extent{{glm::vec3(kInfinity), glm::vec3(-kInfinity)}, 0};
+  for (const Level& level : levels) {
+    const Bounds& bounds = level.occluders.bounds();
+    extent.bounds = {glm::min(extent.bounds.lower, bounds.lower), glm::max(extent.bounds.upper, bounds.upper)};
+  }
+  if (levels.front().occluders.report().occluder_count > 0) {
+    const Bounds& bounds = levels.front().occluders.bounds();
+    extent.largest_coordinate = std::max(largest_component(bounds.lower), largest_component(bounds.upper));
+  }
+  return extent;
+}
+
+PatternLanes::PatternLanes(const SamplePattern& pattern, bool is_unbounded)
     : length(pattern.lengths().begin(), pattern.lengths().end()),
       lowest_elevation(pattern.lowest_elevation()),
       cones(bvh::make_pattern_cones(pattern.directions())) {
@@ -80,6 +94,9 @@ PatternLanes::PatternLanes(const SamplePattern& pattern)
     x.push_back(direction.x);
     y.push_back(direction.y);
     z.push_back(direction.z);
+  }
+  if (is_unbounded) {
+    for (float& share : length) share = share > 0 ? 1.0f : 0.0f;
   }
 }
 
@@ -95,18 +112,30 @@ Bounds bounds_of_origins(std::span<const Receiver> receivers, const QueryOptions
   return bounds;
 }
 
+float radius_beyond(const Bounds& occluders, const glm::vec3& origin) {
+  if (!(occluders.lower.x <= occluders.upper.x)) return 1;
+  const glm::dvec3 from(origin);
+  const glm::dvec3 farthest = glm::max(glm::abs(glm::dvec3(occluders.lower) - from),  //
+                                       glm::abs(glm::dvec3(occluders.upper) - from));
+  // The length of a direction in float, and of what is made of it, is off by far less than this.
+  const double distance = 1.001 * glm::length(farthest);
+  return static_cast<float>(std::exp2(std::ceil(std::log2(distance))));
+}
+
 void make_rays(const Receiver& receiver, const PatternLanes& pattern, const QueryOptions& options,
-               float largest_coordinate, std::uint64_t index, ReceiverRays& rays) {
+               const OccluderExtent& occluders, std::uint64_t index, ReceiverRays& rays) {
   rays.cast = OcclusionMask();
   rays.ray_count = static_cast<int>(pattern.x.size());
   rays.origin = receiver.position;
+  rays.radius = options.radius;
   if (!is_valid(receiver)) return;
 
   rays.up = geometric_normal(receiver);
-  rays.origin = receiver.position + rays.up * offset_of(receiver, options, largest_coordinate);
+  rays.origin = receiver.position + rays.up * offset_of(receiver, options, occluders.largest_coordinate);
+  if (std::isinf(options.radius)) rays.radius = radius_beyond(occluders.bounds, rays.origin);
 
   rays.frame = jittered_frame(receiver, options.jitter, pattern.lowest_elevation, options.seed, index);
-  turn_pattern(pattern, rays.frame, options.radius, rays.up, rays);
+  turn_pattern(pattern, rays.frame, rays.radius, rays.up, rays);
 }
 
 }  // namespace lkao::query

@@ -10,8 +10,16 @@
 
 #include "bvh/pattern_cones.h"
 #include "lkao/ambient_occlusion.h"
+#include "query/levels.h"
 
 namespace lkao::query {
+
+// Where occluders are.
+struct OccluderExtent {
+  Bounds bounds;                 // of all levels; lower > upper where there is none
+  float largest_coordinate = 0;  // magnitude, of the first level: what the surface offset is relative to
+};
+OccluderExtent extent_of(std::span<const Level> levels);
 
 // True where the position is finite and the normals are finite and not zero (a zero geometric normal stands for the
 // shading normal).
@@ -27,7 +35,8 @@ glm::mat3 jittered_frame(const Receiver& receiver, const Jitter& jitter, float l
 
 // A sample pattern component by component, so that vectors can be made of it.
 struct PatternLanes {
-  explicit PatternLanes(const SamplePattern& pattern);
+  // `is_unbounded`: every ray that has a length has length 1, whatever share of an infinite radius it is.
+  explicit PatternLanes(const SamplePattern& pattern, bool is_unbounded = false);
 
   std::vector<float> x, y, z, length;
   float lowest_elevation;
@@ -35,11 +44,14 @@ struct PatternLanes {
 };
 
 // A box around the origins of the rays of all valid receivers; lower > upper where there is none.
-// `largest_coordinate` is the occluders'.
 Bounds bounds_of_origins(std::span<const Receiver> receivers, const QueryOptions& options, float largest_coordinate);
 
-// The pattern at the receiver; `cast` is empty where the receiver is invalid. `largest_coordinate` is the occluders'.
+// A radius that no point of `occluders` is farther away than from `origin`: a power of two, so that rays of this length
+// are exact multiples of their directions. 1 where there is no occluder.
+float radius_beyond(const Bounds& occluders, const glm::vec3& origin);
+
+// The pattern at the receiver; `cast` is empty where the receiver is invalid.
 void make_rays(const Receiver& receiver, const PatternLanes& pattern, const QueryOptions& options,
-               float largest_coordinate, std::uint64_t index, ReceiverRays& rays);
+               const OccluderExtent& occluders, std::uint64_t index, ReceiverRays& rays);
 
 }  // namespace lkao::query

@@ -34,10 +34,11 @@ std::string error_of(const QueryOptions& options) {
 
 TEST(Query, NamesABadOption) {
   EXPECT_EQ(error_of({.radius = 1}), "");
-  EXPECT_EQ(error_of({}), "radius must be greater than 0 and at most 1e18, not 0");
-  EXPECT_EQ(error_of({.radius = -1}), "radius must be greater than 0 and at most 1e18, not -1");
+  EXPECT_EQ(error_of({}), "radius must be greater than 0 and at most 1e18, or infinity, not 0");
+  EXPECT_EQ(error_of({.radius = -1}), "radius must be greater than 0 and at most 1e18, or infinity, not -1");
   EXPECT_NE(error_of({.radius = kNaN}), "");
-  EXPECT_NE(error_of({.radius = INFINITY}), "");
+  EXPECT_NE(error_of({.radius = 2e18f}), "");
+  EXPECT_EQ(error_of({.radius = INFINITY}), "");
   EXPECT_EQ(error_of({.radius = 1, .jitter = {.rotation = 2}}), "jitter.rotation must be in [0, 1] turns, not 2");
   EXPECT_NE(error_of({.radius = 1, .jitter = {.tilt = -0.1f}}), "");
   EXPECT_NE(error_of({.radius = 1, .surface_offset = -1}), "");

@@ -17,7 +17,7 @@ inline OcclusionMask brute_force_mask(const TriangleMesh& mesh, const ReceiverRa
     const glm::uvec3& t = mesh.triangles[i];
     const glm::vec3 &a = mesh.positions[t.x], &b = mesh.positions[t.y], &c = mesh.positions[t.z];
     if (i == excluded_primitive || !bvh::is_in_range(a, b, c) || bvh::has_zero_area(a, b, c)) continue;
-    const bvh::TriangleTest test(a, b, c, rays.origin, options.radius, options.sidedness);
+    const bvh::TriangleTest test(a, b, c, rays.origin, rays.radius, options.sidedness);
     if (!test.can_block()) continue;
     for (int ray = 0; ray < rays.ray_count; ++ray) {
       if (rays.cast.test(ray) && test.blocks(rays.ray(ray))) blocked.set(ray);
