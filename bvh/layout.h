@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include <glm/vec3.hpp>
@@ -105,6 +106,8 @@ struct Layout {
     static const Node kEmpty = Node::empty();
     return nodes.empty() ? kEmpty : nodes[0];
   }
+
+  std::span<const Node> roots() const { return {&root(), 1}; }
 
   // Corner 0, 1 or 2 of a triangle.
   const glm::vec3& corner(std::uint32_t primitive, int which) const { return positions[triangles[primitive][which]]; }

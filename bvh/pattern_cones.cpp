@@ -28,6 +28,11 @@ PatternCones make_pattern_cones(std::span<const glm::vec3> directions) {
     cones.sine[i] = cosine < 0 ? 1.0f : static_cast<float>(std::sqrt(1 - cosine * cosine));
     if (cosine < 0) cones.cosine[i] = -1.0f;
   }
+  double lowest = 1;
+  for (const glm::vec3& direction : directions) lowest = std::min(lowest, static_cast<double>(direction.z));
+  lowest = std::max(lowest - 1e-6, -1.0);
+  cones.widest_cosine = static_cast<float>(lowest - 1e-7);
+  if (lowest > 0) cones.widest_sine = static_cast<float>(std::sqrt(1 - lowest * lowest) + 1e-7);
   return cones;
 }
 

@@ -18,6 +18,8 @@ struct PatternCones {
 
   alignas(64) float x[kMaxCount], y[kMaxCount], z[kMaxCount];
   alignas(64) float cosine[kMaxCount], sine[kMaxCount];
+  // Of an angle that no direction of the pattern exceeds to the z axis: the cosine no more, the sine no less.
+  float widest_cosine = -1, widest_sine = 1;
 };
 
 // Unit vectors, a multiple of 16 of them.

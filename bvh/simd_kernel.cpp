@@ -38,7 +38,9 @@ HWY_AFTER_NAMESPACE();
 
 #include "bvh/simd/box_masks-inl.h"
 #include "bvh/simd/chunk_cones-inl.h"
+#include "bvh/simd/direction_cells-inl.h"
 #include "bvh/simd/leaf_frames-inl.h"
+#include "bvh/simd/leaf_planes-inl.h"
 #include "bvh/simd/ray_sets-inl.h"
 #include "bvh/simd/ray_stream-inl.h"
 
@@ -46,79 +48,243 @@ HWY_BEFORE_NAMESPACE();
 namespace lkao::bvh::HWY_NAMESPACE {
 namespace {
 
-// A node goes to the stream if it meets no more rays than this, a leaf if it meets no more in a chunk on average.
-constexpr int kFewRays = 16, kFewRaysPerChunk = 1;
+// From so many chunks on, children are visited one after the other as they are tested: what the near ones close spares
+// the tests of the others.
+constexpr int kManyChunks = 16;
+// A leaf that so many chunks meet is answered triangle by triangle, each with the chunks whose cones meet it.
+constexpr int kChunksWorthCones = 10;
 
-template <class Parts>
+// kRemembers: with the query's memory of blockers.
+template <class Parts, bool kRemembers>
 class SimdTraversal {
  public:
   SimdTraversal(const Layout& layout, const Query& query, const PatternCones& cones)
       : layout_(layout),
         query_(query),
+        pattern_cones_(cones),
         receiver_(layout, query),
         rays_(query),
         parts_(query),
         cones_(cones, query.rays.frame, query.rays.ray_count / kLaneCount, query.near(), query.far()),
-        stream_(layout, query, receiver_, rays_) {}
+        stream_(layout, query, receiver_, rays_) {
+    if (rays_.chunk_count >= kManyChunks) cones_.prepare();
+  }
 
   OcclusionMask run() {
-    const std::uint64_t all_chunks = ~std::uint64_t{0} >> (kMaxChunkCount - rays_.chunk_count);
-    visit(query_.root, {all_chunks, rays_.open});
-    stream_.run();
-    return query_.open & ~rays_.open_mask();
+    if constexpr (kRemembers) {
+      alignas(64) std::uint32_t cells[kMaxRayCount];
+      find_cells(rays_, cells);
+      visit_first();
+      stream_.guess(cells, query_.memory->leaves());
+      traverse();
+      remember(cells);
+    } else {
+      traverse();
+    }
+    const OcclusionMask blocked = query_.open & ~rays_.open_mask();
+    if (query_.memory != nullptr && query_.memory->is_observed()) {
+      query_.memory->observe({query_.open.count(), blocked.count(), stream_.pair_count(), test_count_});
+    }
+    return blocked;
   }
 
  private:
-  // `active`: rays that may meet the node. Those that were blocked in the meantime are left out here.
+  std::uint64_t all_chunks() const { return ~std::uint64_t{0} >> (kMaxChunkCount - rays_.chunk_count); }
+
+  void traverse() {
+    for (const Node& root : query_.roots) visit(root, {all_chunks(), rays_.open});
+    stream_.run();
+  }
+
+  // The leaves that blocked most rays of the receivers before.
+  void visit_first() {
+    BlockerMemory& memory = *query_.memory;
+    const RelativeBoxes<Parts> boxes(memory.first(), query_.rays.origin, query_.rays.up, query_.near(), query_.far());
+    for (int child = 0; child < memory.first_count(); ++child) {
+      int blocked_count = 0;
+      if ((boxes.reached() >> child & 1) != 0) {
+        std::uint16_t met[kMaxChunkCount];
+        const Rays rays = rays_meeting(boxes, child, {all_chunks(), rays_.open}, met);
+        if (rays.count > 0) blocked_count = visit(layout_.leaves[memory.first().children[child].index()], rays.active);
+      }
+      memory.score(child, blocked_count);
+    }
+    memory.drop_below(many_rays() / 2);
+  }
+
+  void remember(const std::uint32_t* cells) {
+    std::uint32_t* const leaves = query_.memory->leaves();
+    for (int ray = 0; ray < query_.rays.ray_count; ++ray) {
+      const bool is_open = rays_.is_open(static_cast<std::uint32_t>(ray));
+      if (query_.open.test(ray)) leaves[cells[ray]] = is_open ? BlockerMemory::kNone : rays_.blockers[ray];
+    }
+  }
+
+  // A leaf that blocks so many is worth a place among the first.
+  int many_rays() const { return std::max(2, query_.rays.ray_count / 32); }
+
+  struct Rays {
+    ActiveRays active;
+    int count;
+  };
+
+  // Open rays of `active` that may meet the child, their masks in `met`.
+  HWY_INLINE Rays rays_meeting(const RelativeBoxes<Parts>& boxes, int child, const ActiveRays& active,
+                               std::uint16_t* met) {
+    std::uint64_t tested = active.chunks;
+    if (rays_.chunk_count >= kManyChunks) tested &= cones_.meeting(boxes, child);
+    test_count_ += std::popcount(tested);
+    std::uint64_t chunks = 0;
+    int count = 0;
+    for_each_chunk(tested, [&](int chunk) {
+      const std::uint32_t candidates = static_cast<std::uint32_t>(active.masks[chunk]) & rays_.open[chunk];
+      const std::uint32_t mask = candidates & boxes.rays_meeting(child, rays_, parts_, chunk);
+      met[chunk] = static_cast<std::uint16_t>(mask);
+      chunks |= static_cast<std::uint64_t>(mask != 0) << chunk;
+      count += std::popcount(mask);
+    });
+    return {{chunks, met}, count};
+  }
+
+  // `active`: rays that may meet the node. Those that were blocked in the meantime are left out here. The last children
+  // come first: Embree's builder puts those with the fewest triangles there, among them large ones by themselves, which
+  // block most for the least work.
   void visit(const Node& node, const ActiveRays& active) {
     const RelativeBoxes<Parts> boxes(node, query_.rays.origin, query_.rays.up, query_.near(), query_.far());
-    std::uint16_t met[kWidth][kMaxChunkCount];  // by child, then chunk
-    std::uint64_t met_chunks[kWidth];
-    int ray_counts[kWidth];
-    std::uint32_t met_children = 0;
-    for (std::uint32_t children = boxes.reached(); children != 0; children &= children - 1) {
-      const int child = std::countr_zero(children);
-      int ray_count = 0;
-      std::uint64_t chunks = 0;
-      for_each_chunk(active.chunks & cones_.meeting(boxes, child), [&](int chunk) {
-        const std::uint32_t candidates = static_cast<std::uint32_t>(active.masks[chunk]) & rays_.open[chunk];
-        const std::uint32_t mask = candidates & boxes.rays_meeting(child, rays_, parts_, chunk);
-        met[child][chunk] = static_cast<std::uint16_t>(mask);
-        chunks |= static_cast<std::uint64_t>(mask != 0) << chunk;
-        ray_count += std::popcount(mask);
-      });
-      met_chunks[child] = chunks;
-      ray_counts[child] = ray_count;
-      met_children |= static_cast<std::uint32_t>(chunks != 0) << child;
-    }
-    for (; met_children != 0; met_children &= met_children - 1) {
-      const int child = std::countr_zero(met_children);
-      visit(node.children[child], {met_chunks[child], met[child]}, ray_counts[child]);
-    }
-  }
-
-  void visit(ChildRef child, const ActiveRays& active, int ray_count) {
-    const int few = child.is_leaf() ? kFewRaysPerChunk * std::popcount(active.chunks) : kFewRays;
-    if (ray_count <= few) {
-      stream_.push(child, active);
-    } else if (child.is_leaf()) {
-      visit(layout_.leaves[child.index()], active);
+    if (rays_.chunk_count >= kManyChunks) {
+      visit_in_turn(node, boxes, active);
     } else {
-      visit(layout_.nodes[child.index()], active);
+      visit_tested(node, boxes, active);
     }
   }
 
-  void visit(const Leaf& leaf, const ActiveRays& active) {
-    const LeafFrames frames(receiver_, leaf);
-    const LeafPlanes planes(frames);
+  void visit_in_turn(const Node& node, const RelativeBoxes<Parts>& boxes, const ActiveRays& active) {
+    for (std::uint32_t children = boxes.reached(); children != 0;) {
+      const int child = last_of(children);
+      children ^= 1u << child;
+      std::uint16_t met[kMaxChunkCount];
+      const bool holds_origin = (boxes.holding_origin() >> child & 1) != 0;
+      const Rays rays = holds_origin ? open_rays(active, met) : rays_meeting(boxes, child, active, met);
+      if (rays.count > 0) visit(node.children[child], node, child, rays);
+    }
+  }
+
+  // All children are tested first.
+  void visit_tested(const Node& node, const RelativeBoxes<Parts>& boxes, const ActiveRays& active) {
+    std::uint16_t open_masks[kManyChunks];
+    const Rays open = open_rays(active, open_masks);
+    if (open.count == 0) return;
+    const std::uint32_t inside = boxes.holding_origin(), outside = boxes.reached() & ~inside;
+    std::uint16_t met[kWidth][kManyChunks];
+    Rays rays[kWidth];
+    if (ChunkCones::Node8::kFits && std::popcount(outside) >= 3) {
+      test_pairs(boxes, outside, open, met, rays);
+    } else {
+      for (std::uint32_t children = outside; children != 0; children &= children - 1) {
+        const int child = std::countr_zero(children);
+        rays[child] = rays_meeting(boxes, child, open.active, met[child]);
+      }
+    }
+    for (std::uint32_t children = boxes.reached(); children != 0;) {
+      const int child = last_of(children);
+      children ^= 1u << child;
+      const Rays& meeting = (inside >> child & 1) != 0 ? open : rays[child];
+      if (meeting.count > 0) visit(node.children[child], node, child, meeting);
+    }
+  }
+
+  // Those of `active` that are still open, their masks in `masks`.
+  HWY_INLINE Rays open_rays(const ActiveRays& active, std::uint16_t* masks) const {
+    std::uint64_t chunks = 0;
+    int count = 0;
     for_each_chunk(active.chunks, [&](int chunk) {
-      const std::uint32_t mask = active.masks[chunk];
-      const Verdict rays = planes.blocked(rays_, parts_, chunk);
-      std::uint32_t blocked = rays.sure;
-      const std::uint32_t in_doubt = rays.perhaps & ~rays.sure & mask;
-      if (HWY_UNLIKELY(in_doubt != 0)) blocked |= resolve(leaf, chunk, in_doubt);
-      rays_.open[chunk] &= static_cast<std::uint16_t>(~(blocked & mask));
+      masks[chunk] = active.masks[chunk] & rays_.open[chunk];
+      chunks |= static_cast<std::uint64_t>(masks[chunk] != 0) << chunk;
+      count += std::popcount(masks[chunk]);
     });
+    return {{chunks, masks}, count};
+  }
+
+  // Children `outside` of the origin: those pairs of a child and a chunk whose cone meets it, in one loop. As nested
+  // loops, with a few turns each, the processor would guess wrong at every end.
+  HWY_INLINE void test_pairs(const RelativeBoxes<Parts>& boxes, std::uint32_t outside, const Rays& open,
+                             std::uint16_t (&met)[kWidth][kManyChunks], Rays (&rays)[kWidth]) {
+    cones_.prepare();
+    const typename ChunkCones::Node8 node(cones_, boxes);
+    for (int child = 0; child < kWidth; ++child) rays[child] = {{0, met[child]}, 0};
+    for (int first = 0; first < rays_.chunk_count; first += 8) {
+      std::uint64_t pairs = 0, open_rows = 0;  // a byte of children a chunk
+      for (int i = 0; i < 8; ++i) {
+        pairs |= static_cast<std::uint64_t>(node.met_by(first + i)) << (8 * i);
+        open_rows |= (open.active.chunks >> (first + i) & 1) << (8 * i);
+      }
+      pairs &= open_rows * outside;
+      test_count_ += std::popcount(pairs);
+      for (; pairs != 0; pairs &= pairs - 1) {
+        const int bit = std::countr_zero(pairs), child = bit & 7, chunk = first + (bit >> 3);
+        const std::uint32_t mask = open.active.masks[chunk] & boxes.rays_meeting(child, rays_, parts_, chunk);
+        met[child][chunk] = static_cast<std::uint16_t>(mask);
+        rays[child].active.chunks |= static_cast<std::uint64_t>(mask != 0) << chunk;
+        rays[child].count += std::popcount(mask);
+      }
+    }
+  }
+
+  static int last_of(std::uint32_t children) { return 31 - std::countl_zero(children); }
+
+  // A node that few rays meet goes to the stream, and a leaf that few rays of a chunk meet on average.
+  void visit(ChildRef child, const Node& parent, int place, const Rays& rays) {
+    const int few = child.is_leaf() ? std::popcount(rays.active.chunks) : rays_.chunk_count >= kManyChunks ? 32 : 16;
+    if (rays.count <= few) {
+      stream_.push(child, rays.active);
+    } else if (child.is_leaf()) {
+      const int blocked_count = visit(layout_.leaves[child.index()], rays.active);
+      if constexpr (kRemembers) {
+        if (blocked_count >= many_rays()) query_.memory->offer(child, parent.child_bounds(place), blocked_count);
+      }
+    } else {
+      visit(layout_.nodes[child.index()], rays.active);
+    }
+  }
+
+  // Returns how many rays it blocks, where that is to be remembered.
+  int visit(const Leaf& leaf, const ActiveRays& active) {
+    const LeafFrames frames(receiver_, leaf);
+    const std::uint32_t reached = frames.reached(query_.far(), query_.rays.frame[2], pattern_cones_);
+    if (reached == 0) return 0;
+    const LeafPlanes planes(frames, query_.radius, reached);
+    int blocked_count = 0;
+    const bool use_cones = std::popcount(active.chunks) >= kChunksWorthCones;
+    if (!use_cones && std::popcount(reached) > 2) {
+      for_each_chunk(active.chunks, [&](int chunk) {
+        blocked_count += close(leaf, chunk, active.masks[chunk], planes.blocked(rays_, parts_, chunk));
+      });
+      return blocked_count;
+    }
+    for (std::uint32_t triangles = reached; triangles != 0; triangles &= triangles - 1) {
+      const int triangle = std::countr_zero(triangles);
+      std::uint64_t chunks = active.chunks;
+      if (use_cones) chunks &= planes.chunks_meeting(triangle, cones_, query_.radius);
+      for_each_chunk(chunks, [&](int chunk) {
+        blocked_count += close(leaf, chunk, active.masks[chunk], planes.blocked(triangle, rays_, parts_, chunk));
+      });
+    }
+    return blocked_count;
+  }
+
+  // Closes those rays of `mask` that are blocked, and returns their number where that is to be remembered.
+  HWY_INLINE int close(const Leaf& leaf, int chunk, std::uint32_t mask, const Verdict& verdict) {
+    std::uint32_t blocked = verdict.sure & mask;
+    const std::uint32_t in_doubt = verdict.perhaps & ~verdict.sure & mask;
+    if (HWY_UNLIKELY(in_doubt != 0)) blocked |= resolve(leaf, chunk, in_doubt);
+    int count = 0;
+    if constexpr (kRemembers) {
+      const std::uint32_t closed = blocked & rays_.open[chunk];
+      count = std::popcount(closed);
+      rays_.set_blocker(chunk, closed, static_cast<std::uint32_t>(&leaf - layout_.leaves.data()));
+    }
+    rays_.open[chunk] &= static_cast<std::uint16_t>(~blocked);
+    return count;
   }
 
   // The rays in doubt, one by one.
@@ -137,16 +303,25 @@ class SimdTraversal {
 
   const Layout& layout_;
   const Query& query_;
+  const PatternCones& pattern_cones_;
   LeafReceiver receiver_;
   RaySet rays_;
   Parts parts_;
   ChunkCones cones_;
-  RayStream<Parts> stream_;
+  int test_count_ = 0;  // of a chunk and a box
+  RayStream<Parts, kRemembers> stream_;
 };
 
+template <class Parts>
+OcclusionMask trace(const Layout& layout, const Query& query, const PatternCones& cones) {
+  if (query.memory != nullptr && query.memory->should_guess()) {
+    return SimdTraversal<Parts, true>(layout, query, cones).run();
+  }
+  return SimdTraversal<Parts, false>(layout, query, cones).run();
+}
+
 OcclusionMask trace_simd(const Layout& layout, const Query& query, const PatternCones& cones) {
-  if (query.parts != nullptr) return SimdTraversal<PartsOfRays>(layout, query, cones).run();
-  return SimdTraversal<WholeRays>(layout, query, cones).run();
+  return query.parts != nullptr ? trace<PartsOfRays>(layout, query, cones) : trace<WholeRays>(layout, query, cones);
 }
 
 }  // namespace

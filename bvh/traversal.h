@@ -4,7 +4,9 @@
 #pragma once
 
 #include <bit>
+#include <span>
 
+#include "bvh/blocker_memory.h"
 #include "bvh/box_test.h"
 #include "bvh/layout.h"
 #include "bvh/ray_parts.h"
@@ -15,13 +17,14 @@ namespace lkao::bvh {
 
 // What a receiver asks of the hierarchy.
 struct Query {
-  const Node& root;  // where to begin: layout.root(), or an entry node for the origin of the rays
+  std::span<const Node> roots;  // where to begin: layout.root(), or entry nodes for the origin of the rays
   const ReceiverRays& rays;
   const OcclusionMask& open;  // rays to decide about: rays.cast or fewer
   float radius = 0;
   Sidedness sidedness = Sidedness::two_sided;
   std::uint32_t excluded_primitive = kNoPrimitive;
   const RayParts* parts = nullptr;  // null: whole rays
+  BlockerMemory* memory = nullptr;  // of this layout; null: none
 
   // Where rays begin and end to count, at the earliest and latest.
   float near() const { return parts != nullptr ? parts->near : 0; }
@@ -65,7 +68,7 @@ class Traversal {
 
   // Rays that are blocked, of those to decide about.
   OcclusionMask run() {
-    if (open_.any()) visit(query_.root, open_);
+    for (const Node& root : query_.roots) visit(root, open_);
     return query_.open & ~open_;
   }
 

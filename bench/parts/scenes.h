@@ -44,7 +44,7 @@ struct Surroundings {
   std::vector<bvh::Node> nodes;   // with all children
   std::vector<bvh::Leaf> leaves;  // with all triangles
 
-  bvh::Query query() const { return {occluders.layout().root(), rays, rays.cast, radius}; }
+  bvh::Query query() const { return {occluders.layout().roots(), rays, rays.cast, radius}; }
 };
 
 // kCount nodes and leaves, evenly of all that some ray may meet. Made at the first call and kept.

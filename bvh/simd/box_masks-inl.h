@@ -52,19 +52,33 @@ class RelativeBoxes {
         hn::Store(center, tag, center_[axis] + i);
         hn::Store(hn::MulAdd(slack, hn::Add(hn::Abs(center), half_size), half_size), tag, half_size_[axis] + i);
       }
+      inside_ |= bits_of(tag, hn::Eq(distance2, zero)) << i;
       auto within = hn::Le(distance2, reach2);
       if constexpr (Parts::kHasParts) within = hn::And(within, hn::Ge(farthest2, least2));
       const auto above = hn::Ge(highest, hn::Neg(hn::Mul(magnitude, slack)));
       reached_ |= bits_of(tag, hn::And(within, above)) << i;
     }
+    inside_ &= reached_;
   }
 
   // Children that rays may reach.
   std::uint32_t reached() const { return reached_; }
 
+  // Of those, children whose boxes hold the origin: all rays meet them, for parts of rays all may.
+  std::uint32_t holding_origin() const { return inside_; }
+
   // Faces of a child's box, a little outside of where they are.
   float lower(int axis, int child) const { return center_[axis][child] - half_size_[axis][child]; }
   float upper(int axis, int child) const { return center_[axis][child] + half_size_[axis][child]; }
+  // The same of as many children as a vector holds, from `first` on.
+  HWY_INLINE hn::Vec<BoxTag> lowers(int axis, int first) const {
+    const BoxTag tag;
+    return hn::Sub(hn::Load(tag, center_[axis] + first), hn::Load(tag, half_size_[axis] + first));
+  }
+  HWY_INLINE hn::Vec<BoxTag> uppers(int axis, int first) const {
+    const BoxTag tag;
+    return hn::Add(hn::Load(tag, center_[axis] + first), hn::Load(tag, half_size_[axis] + first));
+  }
 
   // Of the 16 rays of a chunk, those that may meet a child's box within their length. As may_meet.
   HWY_INLINE std::uint32_t rays_meeting(int child, const RaySet& rays, const Parts& parts, int chunk) const {
@@ -91,7 +105,7 @@ class RelativeBoxes {
  private:
   alignas(64) float center_[3][kWidth];
   alignas(64) float half_size_[3][kWidth];
-  std::uint32_t reached_ = 0;
+  std::uint32_t reached_ = 0, inside_ = 0;
 };
 
 }  // namespace lkao::bvh::HWY_NAMESPACE

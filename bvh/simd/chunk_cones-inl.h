@@ -14,6 +14,7 @@
 #include "bvh/pattern_cones.h"
 #include "bvh/simd/box_masks-inl.h"
 #include "bvh/simd/lanes-inl.h"
+#include "bvh/simd/ray_sets-inl.h"
 #include "lkao/ambient_occlusion.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -24,18 +25,37 @@ namespace lkao::bvh::HWY_NAMESPACE {
 // divided by the largest component, and left no later than its far face divided by the smallest.
 class ChunkCones {
  public:
+  using Floats = hn::Vec<RayTag>;
+
   ChunkCones(const PatternCones& cones, const glm::mat3& frame, int chunk_count, float near, float far)
-      : chunk_count_(chunk_count), near_(near / kSlack), far_(far * kSlack), shortest_(far * 0x1p-20f) {
-    if (chunk_count_ < kWorthwhileChunkCount) return;
+      : cones_(cones), chunk_count_(chunk_count), near_(near / kSlack), far_(far * kSlack), shortest_(far * 0x1p-20f) {
     const RayTag tag;
     for (int i = 0; i < chunk_count; i += lane_count(tag)) {
       const auto x = hn::Load(tag, cones.x + i), y = hn::Load(tag, cones.y + i), z = hn::Load(tag, cones.z + i);
-      const auto cosine = hn::Load(tag, cones.cosine + i), sine = hn::Load(tag, cones.sine + i);
-      for (int axis = 0; axis < 3; ++axis) {
+      for (int row = 0; row < 3; ++row) {
         const auto along =
-            hn::MulAdd(hn::Set(tag, frame[0][axis]), x,
-                       hn::MulAdd(hn::Set(tag, frame[1][axis]), y, hn::Mul(hn::Set(tag, frame[2][axis]), z)));
-        set_interval(axis, i, along, cosine, sine);
+            hn::MulAdd(hn::Set(tag, frame[0][row]), x,
+                       hn::MulAdd(hn::Set(tag, frame[1][row]), y, hn::Mul(hn::Set(tag, frame[2][row]), z)));
+        hn::Store(along, tag, axis_[row] + i);
+      }
+    }
+  }
+
+  int chunk_count() const { return chunk_count_; }
+
+  // Of as many chunks as a vector holds, from `first` on: a component of the unit vector along the cone, and of its
+  // angle the cosine, or less, and the sine, or more.
+  HWY_INLINE Floats axis(int component, int first) const { return hn::Load(RayTag(), axis_[component] + first); }
+  HWY_INLINE Floats cosine(int first) const { return hn::Load(RayTag(), cones_.cosine + first); }
+  HWY_INLINE Floats sine(int first) const { return hn::Load(RayTag(), cones_.sine + first); }
+
+  // To be called before any of the following: most receivers need it, not all.
+  HWY_INLINE void prepare() {
+    if (is_prepared_) return;
+    is_prepared_ = true;
+    for (int i = 0; i < chunk_count_; i += lane_count(RayTag())) {
+      for (int component = 0; component < 3; ++component) {
+        set_interval(component, i, axis(component, i), cosine(i), sine(i));
       }
     }
   }
@@ -43,7 +63,6 @@ class ChunkCones {
   // Chunks that may meet a child's box, as bits.
   template <class Boxes>
   HWY_INLINE std::uint64_t meeting(const Boxes& boxes, int child) const {
-    if (chunk_count_ < kWorthwhileChunkCount) return ~std::uint64_t{0};
     const RayTag tag;
     // Where the box begins and ends, up and down the axis: 0 and next to 0 where it does not on that side.
     Floats gap[2][3], far[2][3];
@@ -56,20 +75,57 @@ class ChunkCones {
     }
     std::uint64_t chunks = 0;
     for (int i = 0; i < chunk_count_; i += lane_count(tag)) {
-      auto enter = hn::Set(tag, near_), leave = hn::Set(tag, far_);
-      for (int direction = 0; direction < 2; ++direction) {
-        for (int axis = 0; axis < 3; ++axis) {
-          enter = hn::Max(enter, hn::Mul(gap[direction][axis], hn::Load(tag, soonest_[direction][axis] + i)));
-          leave = hn::Min(leave, hn::Mul(far[direction][axis], hn::Load(tag, latest_[direction][axis] + i)));
-        }
-      }
-      chunks |= static_cast<std::uint64_t>(bits_of(tag, hn::Le(enter, leave))) << i;
+      const auto of = [&](const float* values) HWY_ATTR { return hn::Load(tag, values + i); };
+      chunks |= static_cast<std::uint64_t>(bits_of(tag, meets(tag, gap, far, of))) << i;
     }
     return chunks;
   }
 
+  // The other way round: all boxes of a node against one chunk after the other.
+  class Node8 {
+   public:
+    template <class Boxes>
+    HWY_INLINE Node8(const ChunkCones& cones, const Boxes& boxes) : cones_(cones) {
+      const BoxTag tag;
+      const auto zero = hn::Zero(tag), shortest = hn::Set(tag, cones.shortest_);
+      for (int axis = 0; axis < 3; ++axis) {
+        const auto lower = boxes.lowers(axis, 0), upper = boxes.uppers(axis, 0);
+        gap_[0][axis] = hn::Max(lower, zero);
+        gap_[1][axis] = hn::Max(hn::Neg(upper), zero);
+        far_[0][axis] = hn::Max(upper, shortest);
+        far_[1][axis] = hn::Max(hn::Neg(lower), shortest);
+      }
+    }
+
+    // Children that a chunk may meet, as bits.
+    HWY_INLINE std::uint32_t met_by(int chunk) const {
+      const BoxTag tag;
+      const auto of = [&](const float* values) HWY_ATTR { return hn::Set(tag, values[chunk]); };
+      return bits_of(tag, cones_.meets(tag, gap_, far_, of));
+    }
+
+    // A vector holds all children of a node.
+    static constexpr bool kFits = hn::MaxLanes(BoxTag()) == kWidth;
+
+   private:
+    const ChunkCones& cones_;
+    hn::Vec<BoxTag> gap_[2][3], far_[2][3];
+  };
+
  private:
-  using Floats = hn::Vec<RayTag>;
+  // `of(intervals)`: those of the chunks in question.
+  template <class Tag, class Of>
+  HWY_INLINE hn::Mask<Tag> meets(Tag tag, const hn::Vec<Tag> (&gap)[2][3], const hn::Vec<Tag> (&far)[2][3],
+                                 const Of& of) const {
+    auto enter = hn::Set(tag, near_), leave = hn::Set(tag, far_);
+    for (int direction = 0; direction < 2; ++direction) {
+      for (int axis = 0; axis < 3; ++axis) {
+        enter = hn::Max(enter, hn::Mul(gap[direction][axis], of(soonest_[direction][axis])));
+        leave = hn::Min(leave, hn::Mul(far[direction][axis], of(latest_[direction][axis])));
+      }
+    }
+    return hn::Le(enter, leave);
+  }
 
   // `along`: component of the cones' axes.
   HWY_INLINE void set_interval(int axis, int first, Floats along, Floats cosine, Floats sine) {
@@ -96,13 +152,14 @@ class ChunkCones {
     return reciprocal(tag, limited);
   }
 
-  // With fewer chunks their cones are so wide that too few boxes miss them.
-  static constexpr int kWorthwhileChunkCount = 16;
   static constexpr float kSlack = 1.0f + 0x1p-16f;  // of lengths and reciprocals
 
+  const PatternCones& cones_;
   int chunk_count_;
   float near_, far_;  // between these distances boxes count
   float shortest_;
+  bool is_prepared_ = false;
+  alignas(64) float axis_[3][kMaxChunkCount];  // by component and chunk
   // By direction (up or down the axis), axis and chunk: 1 / component.
   alignas(64) float soonest_[2][3][kMaxChunkCount];
   alignas(64) float latest_[2][3][kMaxChunkCount];

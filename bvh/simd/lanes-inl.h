@@ -6,11 +6,13 @@
 #define LKAO_BVH_SIMD_LANES_INL_H_
 #endif
 
+#include <bit>
 #include <cstdint>
 #include <cstring>
 
 #include <hwy/highway.h>
 
+#include "bvh/lane_lists.h"
 #include "bvh/layout.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -58,6 +60,33 @@ HWY_INLINE hn::Mask<Tag> mask_of(Tag tag, std::uint32_t bits) {
   std::uint8_t bytes[8];
   std::memcpy(bytes, &bits, sizeof(bits));
   return hn::LoadMaskBits(tag, bytes);
+}
+
+// Stores the lanes whose bit is set one after the other, and some garbage behind them: a whole vector in all. Returns
+// how many they are.
+template <class Tag>
+HWY_INLINE int store_packed(Tag tag, hn::Vec<Tag> values, std::uint32_t lanes, std::uint32_t* to) {
+#if HWY_TARGET == HWY_AVX2  // Highway's own way is slow there
+  if constexpr (hn::MaxLanes(Tag()) == 8) {
+    const hn::Rebind<std::uint8_t, Tag> byte_tag;
+    const auto numbers = hn::PromoteTo(hn::RebindToSigned<Tag>(), hn::Load(byte_tag, kLaneLists[lanes]));
+    hn::StoreU(hn::TableLookupLanes(values, hn::IndicesFromVec(tag, numbers)), tag, to);
+    return std::popcount(lanes);
+  }
+#endif
+  hn::StoreU(hn::Compress(values, mask_of(tag, lanes)), tag, to);
+  return std::popcount(lanes);
+}
+
+// The same for the lanes of a mask.
+template <class Tag>
+HWY_INLINE int store_packed(Tag tag, hn::Vec<Tag> values, hn::Mask<Tag> mask, std::uint32_t* to) {
+#if HWY_TARGET == HWY_AVX2
+  return store_packed(tag, values, bits_of(tag, mask), to);
+#else
+  hn::StoreU(hn::Compress(values, mask), tag, to);
+  return static_cast<int>(hn::CountTrue(tag, mask));
+#endif
 }
 
 }  // namespace lkao::bvh::HWY_NAMESPACE

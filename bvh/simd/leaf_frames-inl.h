@@ -13,6 +13,7 @@
 #include <hwy/highway.h>
 
 #include "bvh/layout.h"
+#include "bvh/pattern_cones.h"
 #include "bvh/simd/lanes-inl.h"
 #include "bvh/simd/ray_parts-inl.h"
 #include "bvh/simd/ray_sets-inl.h"
@@ -104,8 +105,30 @@ class LeafFrames {
     const auto v = hn::MulAdd(v_, towards, hn::Mul(distance_, dot(leaf_.v_gradient, rx, ry, rz)));
     const auto within =
         depth_within<Parts>(towards, distance_, parts.begin_of_one(tag, ray), parts.end_of_one(tag, ray));
-    const Verdict verdict = judge(tag, u, v, towards, within, edge_slack_, own_slack_);
-    return {verdict.sure & candidates_, verdict.perhaps & candidates_};
+    const auto least = hn::Min(hn::Min(u, v), hn::Sub(towards, hn::Add(u, v)));
+    // NaN is neither less than 0 nor more. Minima may drop it, but not if it comes second, as `least` does.
+    const auto missed = hn::Lt(hn::Min(hn::Add(within, own_slack_), hn::Add(least, edge_slack_)), hn::Zero(tag));
+    const auto met = hn::Gt(hn::Min(hn::Sub(within, own_slack_), hn::Sub(least, edge_slack_)), hn::Zero(tag));
+    return {bits_of(tag, met) & candidates_, ~bits_of(tag, missed) & candidates_};
+  }
+
+  // Triangles that some ray of the pattern may block: those whose plane is not farther away than rays go towards it
+  // that are no longer than `far` and nowhere farther from `axis` than the cones say.
+  HWY_INLINE std::uint32_t reached(float far, const glm::vec3& axis, const PatternCones& cones) const {
+    const TriangleTag tag;
+    const auto rounding = hn::Set(tag, 2e-6f);
+    const auto x = hn::Set(tag, axis.x), y = hn::Set(tag, axis.y), z = hn::Set(tag, axis.z);
+    const auto cosine = hn::Xor(dot(leaf_.back_normal, x, y, z), turn_);
+    const auto sine = hn::Sqrt(hn::Max(hn::NegMulAdd(cosine, cosine, hn::Set(tag, 1.0f + 1e-6f)), hn::Zero(tag)));
+    // The largest cosine that a ray of the pattern may have to the normal; 1 where the normal is among them.
+    const auto widest_cosine = hn::Set(tag, cones.widest_cosine), widest_sine = hn::Set(tag, cones.widest_sine);
+    const auto rim = hn::Add(hn::MulAdd(cosine, widest_cosine, hn::Mul(sine, widest_sine)), rounding);
+    const auto largest = hn::IfThenElse(hn::Ge(hn::Add(cosine, rounding), widest_cosine), hn::Set(tag, 1.0f), rim);
+    const auto nearest = hn::NegMulAdd(hn::Set(tag, 1.6f), own_slack_, distance_);
+    const auto is_out = hn::Gt(nearest, hn::Mul(largest, hn::Set(tag, far * 1.0001f)));
+    // Not those that are left to TriangleTest: their normals are unknown.
+    const auto is_known = hn::Lt(edge_slack_, hn::Set(tag, std::numeric_limits<float>::infinity()));
+    return candidates_ & ~bits_of(tag, hn::And(is_out, is_known));
   }
 
   // How far the ray goes beyond the triangle's plane, or its part begins before it, whichever is less.
@@ -118,18 +141,8 @@ class LeafFrames {
     }
   }
 
-  // Where rays are beyond all planes, for sure or perhaps, as bits. `within` as depth_within() gives it.
-  template <class Tag, class V>
-  HWY_INLINE static Verdict judge(Tag tag, V u, V v, V towards, V within, V edge_slack, V own_slack) {
-    const auto least = hn::Min(hn::Min(u, v), hn::Sub(towards, hn::Add(u, v)));
-    // NaN is neither less than 0 nor more. Minima may drop it, but not if it comes second, as `least` does.
-    const auto missed = hn::Lt(hn::Min(hn::Add(within, own_slack), hn::Add(least, edge_slack)), hn::Zero(tag));
-    const auto met = hn::Gt(hn::Min(hn::Sub(within, own_slack), hn::Sub(least, edge_slack)), hn::Zero(tag));
-    return {bits_of(tag, met), ~bits_of(tag, missed)};
-  }
-
  private:
-  friend class LeafPlanes;
+  friend class LeafPlanes;  // leaf_planes-inl.h
   static constexpr std::uint32_t kAllTriangles = (1u << kLeafWidth) - 1;
 
   static HWY_INLINE Floats load(const float* values) { return hn::Load(TriangleTag(), values); }
@@ -158,72 +171,6 @@ class LeafFrames {
   Floats turn_;  // sign bit
   Floats edge_slack_, own_slack_;
   std::uint32_t candidates_ = kAllTriangles;
-};
-
-// The same for many rays: each triangle's planes through the origin, set up once.
-class LeafPlanes {
- public:
-  HWY_INLINE explicit LeafPlanes(const LeafFrames& frames) {
-    const TriangleTag tag;
-    for (int axis = 0; axis < 3; ++axis) {
-      const auto towards = hn::Xor(frames.load(frames.leaf_.back_normal[axis]), frames.turn_);
-      hn::Store(towards, tag, towards_[axis]);
-      hn::Store(hn::MulAdd(frames.u_, towards, hn::Mul(frames.distance_, frames.load(frames.leaf_.u_gradient[axis]))),
-                tag, u_[axis]);
-      hn::Store(hn::MulAdd(frames.v_, towards, hn::Mul(frames.distance_, frames.load(frames.leaf_.v_gradient[axis]))),
-                tag, v_[axis]);
-    }
-    hn::Store(frames.distance_, tag, distance_);
-    hn::Store(frames.edge_slack_, tag, edge_slack_);
-    hn::Store(frames.own_slack_, tag, own_slack_);
-    // What cannot block a ray is too far away.
-    for (std::uint32_t rest = LeafFrames::kAllTriangles & ~frames.candidates_; rest != 0; rest &= rest - 1) {
-      distance_[std::countr_zero(rest)] = std::numeric_limits<float>::infinity();
-    }
-  }
-
-  // Of the rays of a chunk, those that some triangle blocks.
-  template <class Parts>
-  HWY_INLINE Verdict blocked(const RaySet& rays, const Parts& parts, int chunk) const {
-    const RayTag tag;
-    Verdict all{0, 0};
-    for (int i = 0; i < kLaneCount; i += lane_count(tag)) {
-      const int first = chunk * kLaneCount + i;
-      const auto x = hn::Load(tag, rays.x + first), y = hn::Load(tag, rays.y + first),
-                 z = hn::Load(tag, rays.z + first);
-      const auto begin = parts.begin(tag, first), end = parts.end(tag, first);
-      Verdict some{0, 0};
-      for (int triangle = 0; triangle < kLeafWidth; ++triangle) {
-        const auto towards = dot(towards_, triangle, x, y, z);
-        const auto within = LeafFrames::depth_within<Parts>(towards, hn::Set(tag, distance_[triangle]), begin, end);
-        const Verdict one =
-            LeafFrames::judge(tag, dot(u_, triangle, x, y, z), dot(v_, triangle, x, y, z), towards, within,
-                              hn::Set(tag, edge_slack_[triangle]), hn::Set(tag, own_slack_[triangle]));
-        some.sure |= one.sure;
-        some.perhaps |= one.perhaps;
-      }
-      all.sure |= (some.sure & kLanes) << i;
-      all.perhaps |= (some.perhaps & kLanes) << i;
-    }
-    return all;
-  }
-
- private:
-  static constexpr std::uint32_t kLanes = (1u << hn::MaxLanes(RayTag())) - 1;
-
-  template <class V>
-  static HWY_INLINE V dot(const float (&plane)[3][kLeafWidth], int triangle, V x, V y, V z) {
-    const RayTag tag;
-    return hn::MulAdd(hn::Set(tag, plane[0][triangle]), x,
-                      hn::MulAdd(hn::Set(tag, plane[1][triangle]), y, hn::Mul(hn::Set(tag, plane[2][triangle]), z)));
-  }
-
-  alignas(64) float u_[3][kLeafWidth];
-  alignas(64) float v_[3][kLeafWidth];
-  alignas(64) float towards_[3][kLeafWidth];
-  alignas(64) float distance_[kLeafWidth];
-  alignas(64) float edge_slack_[kLeafWidth];
-  alignas(64) float own_slack_[kLeafWidth];
 };
 
 }  // namespace lkao::bvh::HWY_NAMESPACE

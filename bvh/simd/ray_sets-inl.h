@@ -38,9 +38,38 @@ class RaySet {
     return mask;
   }
   bool is_open(std::uint32_t ray) const { return (open[ray / kLaneCount] >> (ray % kLaneCount) & 1) != 0; }
+  // Of rays by number, those that are open. Where a number is none of a ray there may be anything.
+  template <class Tag>
+  HWY_INLINE hn::Mask<Tag> are_open(Tag tag, hn::Vec<Tag> rays) const {
+    static_assert(sizeof(hn::TFromD<Tag>) == 4);
+    constexpr int kTableSize = static_cast<int>(hn::MaxLanes(Tag()));
+    const auto* const table = reinterpret_cast<const std::uint32_t*>(open);  // loads of vectors may alias anything
+    const hn::RebindToSigned<Tag> number_tag;
+    const auto word_number =
+        hn::BitCast(number_tag, hn::And(hn::ShiftRight<5>(rays), hn::Set(tag, kMaxRayCount / 32 - 1)));
+    const auto look_up = [&](int first) HWY_ATTR {
+      const auto place = hn::And(word_number, hn::Set(number_tag, kTableSize - 1));
+      return hn::TableLookupLanes(hn::Load(tag, table + first), hn::IndicesFromVec(tag, place));
+    };
+    auto word = look_up(0);
+    for (int first = kTableSize; first < chunk_count / 2; first += kTableSize) {
+      const auto is_there = hn::RebindMask(tag, hn::Gt(word_number, hn::Set(number_tag, first - 1)));
+      word = hn::IfThenElse(is_there, look_up(first), word);
+    }
+    return hn::TestBit(word, hn::Set(tag, 1u) << hn::And(rays, hn::Set(tag, 31u)));
+  }
   // Without a branch: nothing where `blocked` is 0 instead of 1.
   void close(std::uint32_t ray, std::uint32_t blocked) {
     open[ray / kLaneCount] &= static_cast<std::uint16_t>(~(blocked << (ray % kLaneCount)));
+  }
+
+  // The rays of some lanes of a chunk have this blocker.
+  HWY_INLINE void set_blocker(int chunk, std::uint32_t lanes, std::uint32_t leaf) {
+    const hn::RebindToUnsigned<RayTag> tag;
+    for (int i = 0; i < kLaneCount; i += lane_count(tag)) {
+      const std::uint32_t some = lanes >> i & ((1u << lane_count(tag)) - 1);
+      hn::BlendedStore(hn::Set(tag, leaf), mask_of(tag, some), tag, blockers + chunk * kLaneCount + i);
+    }
   }
 
   const float *x, *y, *z;
@@ -48,6 +77,8 @@ class RaySet {
   alignas(64) float inverse_y[kMaxRayCount];
   alignas(64) float inverse_z[kMaxRayCount];
   int chunk_count;
+  // By ray, the leaf that blocked it, where blockers are remembered; behind the rays is room for what is none.
+  std::uint32_t blockers[kMaxRayCount + kLaneCount];
   alignas(64) std::uint16_t open[kMaxChunkCount];
 
  private:

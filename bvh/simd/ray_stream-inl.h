@@ -7,11 +7,13 @@
 #endif
 
 #include <algorithm>
+#include <bit>
 #include <cstdint>
 
 #include <hwy/cache_control.h>
 #include <hwy/highway.h>
 
+#include "bvh/blocker_memory.h"
 #include "bvh/box_test.h"
 #include "bvh/layout.h"
 #include "bvh/simd/leaf_frames-inl.h"
@@ -23,8 +25,11 @@ namespace lkao::bvh::HWY_NAMESPACE {
 
 // Pairs of a ray and a node or leaf that it may meet. Each pair is answered by itself, one ray against 8 boxes or 4
 // triangles, without a branch that depends on the answer: the processor works on many of them at a time, and neither
-// waits for memory nor guesses wrong as it does when it follows one ray after the other.
-template <class Parts>
+// waits for memory nor guesses wrong as it does when it follows one ray after the other. The pairs of a ray that was
+// closed in the meantime are dropped, so leaves are answered soon.
+//
+// kRemembers: keeps RaySet::blockers.
+template <class Parts, bool kRemembers>
 class RayStream {
  public:
   RayStream(const Layout& layout, const Query& query, const LeafReceiver& receiver, RaySet& rays)
@@ -32,23 +37,39 @@ class RayStream {
 
   // Adds the rays that may meet a child.
   HWY_INLINE void push(ChildRef child, const ActiveRays& active) {
-    const hn::CappedTag<std::uint32_t, kLaneCount> tag;
+    const NumberTag tag;
     const auto bits = hn::Set(tag, child.bits());
     int count = pairs_.count;
     for_each_chunk(active.chunks, [&](int chunk) {
-      std::uint32_t mask = active.masks[chunk];
-      auto rays = hn::Iota(tag, static_cast<std::uint32_t>(chunk * kLaneCount));
+      const std::uint32_t mask = active.masks[chunk];
       for (int lane = 0; lane < kLaneCount; lane += lane_count(tag)) {
-        const std::uint32_t lanes = mask & ((1u << lane_count(tag)) - 1);
-        hn::StoreU(hn::Compress(rays, mask_of(tag, lanes)), tag, pairs_.rays + count);
+        const auto first = hn::Set(tag, static_cast<std::uint32_t>(chunk * kLaneCount));
+        const auto rays = hn::Add(hn::Load(tag, kLaneNumbers + lane), first);
+        const std::uint32_t lanes = mask >> lane & ((1u << lane_count(tag)) - 1);
         hn::StoreU(bits, tag, pairs_.children + count);
-        count += std::popcount(lanes);
-        mask >>= lane_count(tag);
-        rays = hn::Add(rays, hn::Set(tag, static_cast<std::uint32_t>(lane_count(tag))));
+        count += store_packed(tag, rays, lanes, pairs_.rays + count);
       }
     });
     pairs_.count = count;
-    if (count > kFull) run();
+    if (count > kWorthwhile) run();
+  }
+
+  // Closes the open rays that the leaf of their cell blocks.
+  HWY_NOINLINE void guess(const std::uint32_t* cells, const std::uint32_t* leaf_of_cell) {
+    int count = leaves_.count;
+    for (int chunk = 0; chunk < rays_.chunk_count; ++chunk) {
+      for (std::uint32_t rest = rays_.open[chunk]; rest != 0; rest &= rest - 1) {
+        const auto ray = static_cast<std::uint32_t>(chunk * kLaneCount + std::countr_zero(rest));
+        const std::uint32_t leaf = leaf_of_cell[cells[ray]];
+        const bool is_known = leaf != BlockerMemory::kNone;
+        prefetch(layout_.leaves.data() + (is_known ? leaf : 0));
+        leaves_.children[count] = leaf;
+        leaves_.rays[count] = ray;
+        count += is_known;
+      }
+    }
+    leaves_.count = count;
+    visit_leaves();
   }
 
   // Closes all rays of the stream that some triangle blocks.
@@ -60,17 +81,25 @@ class RayStream {
       take(batches[1 - turn]);
       visit_nodes(batches[turn]);
       turn = 1 - turn;
-      if (leaves_.count > kFull) visit_leaves();
+      if (leaves_.count > kFewLeaves) visit_leaves();
     }
     visit_leaves();
   }
 
+  // Pairs so far, those of leaves and of closed rays included.
+  int pair_count() const { return pair_count_; }
+
  private:
-  static constexpr int kBatch = 24;
+  using NumberTag = hn::CappedTag<std::uint32_t, kLaneCount>;
+
+  static constexpr int kBatch = 32;
+  // A stream this long is answered at once, and leaves as soon as there are more than a few: every ray that they close
+  // spares the pairs that it has left.
+  static constexpr int kWorthwhile = 48, kFewLeaves = 4;
   // push() adds no more than all rays once; a batch no more than 8 children a pair. From kFull on pairs are answered
   // one by one, depth first, and each level of the hierarchy adds at most 7.
   static constexpr int kFull = 1024;
-  static constexpr int kCapacity = kFull + kMaxRayCount + 2 * kBatch * kWidth + 2 * kMaxDepth * kWidth + 2 * kLaneCount;
+  static constexpr int kCapacity = kFull + kMaxRayCount + 2 * kBatch * kWidth + 2 * kMaxDepth * kWidth + 4 * kLaneCount;
 
   struct Pairs {
     int count = 0;
@@ -81,27 +110,49 @@ class RayStream {
   // Nodes on their way into the cache.
   struct Batch {
     int count = 0;
-    std::uint32_t nodes[kBatch];
-    std::uint32_t rays[kBatch];
+    std::uint32_t nodes[kBatch + kLaneCount];
+    std::uint32_t rays[kBatch + kLaneCount];
   };
 
   // Moves pairs to the batch or the leaves, those of open rays.
   HWY_INLINE void take(Batch& batch) {
     const int count = pairs_.count > kFull ? 1 : std::min(kBatch, pairs_.count);
     pairs_.count -= count;
-    const Node* const nodes = layout_.nodes.data();
-    const Leaf* const leaves = layout_.leaves.data();
+    pair_count_ += count;
+    const int first_leaf = leaves_.count;
+    sort_pairs(count, batch);
+    for (int i = 0; i < batch.count; ++i) prefetch(layout_.nodes.data() + batch.nodes[i]);
+    for (int i = first_leaf; i < leaves_.count; ++i) prefetch(layout_.leaves.data() + leaves_.children[i]);
+  }
+
+  // `count` pairs from the end of the list on, which is already that much shorter.
+  HWY_INLINE void sort_pairs(int count, Batch& batch) {
     int node_count = 0, leaf_count = leaves_.count;
-    for (int i = pairs_.count; i < pairs_.count + count; ++i) {
-      const std::uint32_t bits = pairs_.children[i], ray = pairs_.rays[i];
-      const std::uint32_t index = bits & ~ChildRef::kLeafBit, is_leaf = bits >> 31, is_open = rays_.is_open(ray);
-      prefetch(is_leaf != 0 ? static_cast<const void*>(leaves + index) : nodes + index);
-      batch.nodes[node_count] = index;
-      batch.rays[node_count] = ray;
-      node_count += static_cast<int>(is_open & ~is_leaf);
-      leaves_.children[leaf_count] = index;
-      leaves_.rays[leaf_count] = ray;
-      leaf_count += static_cast<int>(is_open & is_leaf);
+    const std::uint32_t* const children = pairs_.children + pairs_.count;
+    const std::uint32_t* const rays = pairs_.rays + pairs_.count;
+    const NumberTag tag;
+    if constexpr (hn::MaxLanes(NumberTag()) >= 8) {
+      const auto leaf_bit = hn::Set(tag, ChildRef::kLeafBit);
+      for (int i = 0; i < count; i += lane_count(tag)) {
+        const auto child = hn::LoadU(tag, children + i), ray = hn::LoadU(tag, rays + i);
+        const auto valid = hn::FirstN(tag, static_cast<std::size_t>(count - i));
+        const auto open = hn::And(valid, rays_.are_open(tag, ray)), is_leaf = hn::TestBit(child, leaf_bit);
+        const auto leaf = hn::And(open, is_leaf), node = hn::AndNot(is_leaf, open);
+        store_packed(tag, child, node, batch.nodes + node_count);
+        node_count += store_packed(tag, ray, node, batch.rays + node_count);
+        store_packed(tag, hn::AndNot(leaf_bit, child), leaf, leaves_.children + leaf_count);
+        leaf_count += store_packed(tag, ray, leaf, leaves_.rays + leaf_count);
+      }
+    } else {
+      for (int i = 0; i < count; ++i) {
+        const std::uint32_t is_leaf = children[i] >> 31, is_open = rays_.is_open(rays[i]);
+        batch.nodes[node_count] = children[i];
+        batch.rays[node_count] = rays[i];
+        node_count += static_cast<int>(is_open & ~is_leaf);
+        leaves_.children[leaf_count] = children[i] & ~ChildRef::kLeafBit;
+        leaves_.rays[leaf_count] = rays[i];
+        leaf_count += static_cast<int>(is_open & is_leaf);
+      }
     }
     batch.count = node_count;
     leaves_.count = leaf_count;
@@ -123,44 +174,44 @@ class RayStream {
     for (int k = 0; k < batch.count; ++k) {
       const Node& node = nodes[batch.nodes[k]];
       const std::uint32_t ray = batch.rays[k];
-      const auto x = hn::Set(tag, rays_.inverse_x[ray]), y = hn::Set(tag, rays_.inverse_y[ray]),
-                 z = hn::Set(tag, rays_.inverse_z[ray]);
-      // The slab test of may_meet.
+      const float inverse_x = rays_.inverse_x[ray], inverse_y = rays_.inverse_y[ray], inverse_z = rays_.inverse_z[ray];
+      const auto x = hn::Set(tag, inverse_x), y = hn::Set(tag, inverse_y), z = hn::Set(tag, inverse_z);
+      // The slab test of may_meet, with the face that a ray meets first found by its sign.
+      const std::uint32_t down_x = sign_of(inverse_x), down_y = sign_of(inverse_y), down_z = sign_of(inverse_z);
       for (int i = 0; i < kWidth; i += lane_count(tag)) {
-        const auto at = [&](int face, int axis, auto from, auto inverse) {
+        const auto at = [&](std::uint32_t face, int axis, auto from, auto inverse) HWY_ATTR {
           return hn::Mul(hn::Sub(hn::Load(tag, node.faces[face][axis] + i), from), inverse);
         };
-        const auto x0 = at(0, 0, ox, x), x1 = at(1, 0, ox, x), y0 = at(0, 1, oy, y), y1 = at(1, 1, oy, y),
-                   z0 = at(0, 2, oz, z), z1 = at(1, 2, oz, z);
-        const auto enter =
-            hn::Max(hn::Max(hn::Min(x0, x1), hn::Min(y0, y1)), hn::Max(hn::Min(z0, z1), parts_.begin_of_one(tag, ray)));
-        const auto leave =
-            hn::Min(hn::Min(hn::Max(x0, x1), hn::Max(y0, y1)), hn::Min(hn::Max(z0, z1), parts_.end_of_one(tag, ray)));
+        const auto enter = hn::Max(hn::Max(at(down_x, 0, ox, x), at(down_y, 1, oy, y)),
+                                   hn::Max(at(down_z, 2, oz, z), parts_.begin_of_one(tag, ray)));
+        const auto leave = hn::Min(hn::Min(at(1 - down_x, 0, ox, x), at(1 - down_y, 1, oy, y)),
+                                   hn::Min(at(1 - down_z, 2, oz, z), parts_.end_of_one(tag, ray)));
         const auto met = hn::RebindMask(bits_tag, hn::Le(enter, hn::Mul(leave, hn::Set(tag, 1.0f + kBoxSlack))));
-        const auto children = hn::Load(bits_tag, node.child_bits() + i);
-        hn::StoreU(hn::Compress(children, met), bits_tag, pairs_.children + count);
         hn::StoreU(hn::Set(bits_tag, ray), bits_tag, pairs_.rays + count);
-        count += static_cast<int>(hn::CountTrue(bits_tag, met));
+        count += store_packed(bits_tag, hn::Load(bits_tag, node.child_bits() + i), met, pairs_.children + count);
       }
     }
     pairs_.count = count;
   }
 
+  static HWY_INLINE std::uint32_t sign_of(float value) { return std::bit_cast<std::uint32_t>(value) >> 31; }
+
   HWY_INLINE void visit_leaves() {
     const LeafReceiver receiver = receiver_;
     const Leaf* const leaves = layout_.leaves.data();
     const int count = leaves_.count;
-    for (int i = 0; i < count; ++i) visit(receiver, leaves[leaves_.children[i]], leaves_.rays[i]);
+    for (int i = 0; i < count; ++i) visit(receiver, leaves_.children[i], leaves[leaves_.children[i]], leaves_.rays[i]);
     leaves_.count = 0;
   }
 
-  HWY_INLINE void visit(const LeafReceiver& receiver, const Leaf& leaf, std::uint32_t ray) {
+  HWY_INLINE void visit(const LeafReceiver& receiver, std::uint32_t number, const Leaf& leaf, std::uint32_t ray) {
     const LeafFrames frames(receiver, leaf);
     const Verdict triangles = frames.blocked(rays_.x[ray], rays_.y[ray], rays_.z[ray], parts_, ray);
     std::uint32_t blocked = triangles.sure != 0;
     const std::uint32_t in_doubt = static_cast<std::uint32_t>(triangles.perhaps != 0) & ~blocked;
     if (HWY_UNLIKELY(in_doubt != 0)) blocked = resolve(leaf, ray, triangles.perhaps);
     rays_.close(ray, blocked);
+    if constexpr (kRemembers) rays_.blockers[blocked != 0 ? ray : kMaxRayCount] = number;
   }
 
   // Does any of the triangles in doubt block the ray?
@@ -177,6 +228,7 @@ class RayStream {
   const LeafReceiver& receiver_;
   RaySet& rays_;
   Parts parts_;
+  int pair_count_ = 0;
   Pairs pairs_;   // children as ChildRef::bits
   Pairs leaves_;  // children as indices into layout_.leaves
 };

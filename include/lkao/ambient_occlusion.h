@@ -23,10 +23,8 @@
 namespace lkao {
 
 namespace query {
-struct Level;
-struct OccluderExtent;
-struct PatternLanes;
-}  // namespace query
+class Tracer;
+}
 
 inline constexpr std::uint32_t kNoPrimitive = 0xffffffffu;
 
@@ -183,17 +181,16 @@ class AmbientOcclusion {
 
   const OccluderBvh& occluders() const;
   const SamplePattern& pattern() const { return pattern_; }
-  const QueryOptions& options() const { return options_; }
+  const QueryOptions& options() const;
   // The table of a query by look-ups; null otherwise.
-  const PlaneMaskTable* table() const { return table_ ? &*table_ : nullptr; }
+  const PlaneMaskTable* table() const;
 
  private:
-  std::shared_ptr<const std::vector<query::Level>> levels_;
+  AmbientOcclusion(const std::vector<OccluderLevel>& levels, SamplePattern pattern, const QueryOptions& options,
+                   std::optional<PlaneMaskTable> table);
+
   SamplePattern pattern_;
-  QueryOptions options_;
-  std::optional<PlaneMaskTable> table_;
-  std::shared_ptr<const query::PatternLanes> lanes_;
-  std::shared_ptr<const query::OccluderExtent> extent_;
+  std::shared_ptr<const query::Tracer> tracer_;
 };
 
 }  // namespace lkao

@@ -21,7 +21,7 @@ inline ReceiverRays rays_of(const PixelReceiver& receiver, const query::PatternL
 inline OcclusionMask cpu_mask(const OccluderBvh& occluders, const ReceiverRays& rays, float radius,
                               Sidedness sidedness) {
   const bvh::Layout& layout = occluders.layout();
-  return bvh::trace_scalar(layout, {layout.root(), rays, rays.cast, radius, sidedness, kNoPrimitive});
+  return bvh::trace_scalar(layout, {layout.roots(), rays, rays.cast, radius, sidedness, kNoPrimitive});
 }
 
 }  // namespace lkao::gl::tests

@@ -42,7 +42,7 @@ class NearestMasks : public InFurnishedRoom<kWidth, kHeight> {
                                    float radius, Sidedness sidedness) {
     const bvh::TableLookup lookup(table, rays.frame, radius);
     const bvh::Node no_node = bvh::Node::empty();
-    const bvh::Query query{no_node, rays, rays.cast, radius, sidedness, kNoPrimitive};
+    const bvh::Query query{{&no_node, 1}, rays, rays.cast, radius, sidedness, kNoPrimitive};
     OcclusionMask blocked;
     for (const glm::uvec3& t : mesh.triangles) {
       const glm::vec3 &a = mesh.positions[t.x], &b = mesh.positions[t.y], &c = mesh.positions[t.z];

@@ -1,0 +1,90 @@
+#include "bvh/entry_nodes.h"
+
+#include "bvh/box_test.h"
+
+namespace lkao::bvh {
+namespace {
+
+float half_area(const Bounds& box) {
+  const glm::vec3 size = box.upper - box.lower;
+  return size.x * size.y + size.y * size.z + size.z * size.x;
+}
+
+// The children of the entry nodes, as they are found.
+class Entries {
+ public:
+  Entries(const Layout& layout, const Bounds& origins, float radius, int most)
+      : layout_(layout), origins_(origins), radius_(radius), most_(most) {
+    add_children_of(layout_.root());
+    while (open_one()) {
+    }
+  }
+
+  int count() const { return count_; }
+  const Bounds& box(int i) const { return boxes_[i]; }
+  ChildRef child(int i) const { return children_[i]; }
+
+ private:
+  int reached_count(const Node& node) const {
+    int count = 0;
+    for (int i = 0; i < kWidth && !node.children[i].is_empty(); ++i) {
+      count += !is_farther_than(radius_, node.child_bounds(i), origins_);
+    }
+    return count;
+  }
+
+  void add_children_of(const Node& node) {
+    for (int i = 0; i < kWidth && !node.children[i].is_empty(); ++i) {
+      const Bounds box = node.child_bounds(i);
+      if (is_farther_than(radius_, box, origins_)) continue;
+      const ChildRef child = node.children[i];
+      reached_counts_[count_] = child.is_leaf() ? most_ + 1 : reached_count(layout_.nodes[child.index()]);
+      boxes_[count_] = box;
+      children_[count_++] = child;
+    }
+  }
+
+  // Replaces the largest child that leaves room for its children by them. False where there is none.
+  bool open_one() {
+    int largest = -1;
+    float largest_area = -1;
+    for (int i = 0; i < count_; ++i) {
+      if (count_ - 1 + reached_counts_[i] > most_) continue;
+      const float area = half_area(boxes_[i]);
+      if (area > largest_area) {
+        largest = i;
+        largest_area = area;
+      }
+    }
+    if (largest < 0) return false;
+    const Node& opened = layout_.nodes[children_[largest].index()];
+    --count_;
+    boxes_[largest] = boxes_[count_];
+    children_[largest] = children_[count_];
+    reached_counts_[largest] = reached_counts_[count_];
+    add_children_of(opened);
+    return true;
+  }
+
+  const Layout& layout_;
+  const Bounds& origins_;
+  float radius_;
+  int most_;
+  int count_ = 0;
+  Bounds boxes_[EntryNodes::kMostChildren];
+  ChildRef children_[EntryNodes::kMostChildren];
+  // Children of each child within reach; more than there is room for where it is a leaf.
+  int reached_counts_[EntryNodes::kMostChildren];
+};
+
+}  // namespace
+
+EntryNodes::EntryNodes(const Layout& layout, const Bounds& origins, float radius, int most_children) {
+  const Entries entries(layout, origins, radius, most_children);
+  for (int i = 0; i < entries.count(); ++i) {
+    if (i % kWidth == 0) nodes_[count_++] = Node::empty();
+    nodes_[count_ - 1].set_child(i % kWidth, entries.box(i), entries.child(i));
+  }
+}
+
+}  // namespace lkao::bvh

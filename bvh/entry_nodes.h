@@ -1,0 +1,27 @@
+// Where neighbouring receivers enter the hierarchy.
+#pragma once
+
+#include <span>
+
+#include "bvh/layout.h"
+
+namespace lkao::bvh {
+
+// Nodes that stand above all that rays of the length `radius` can meet from origins within `origins`: their children
+// are up to `most_children` nodes and leaves, from as deep in the hierarchy as that allows. Receivers near one another
+// share what is above; where they are far apart, or the radius is large, it is little better than the root.
+class EntryNodes {
+ public:
+  static constexpr int kMostChildren = 32;
+
+  // `most_children`: from kWidth to kMostChildren.
+  EntryNodes(const Layout& layout, const Bounds& origins, float radius, int most_children = kWidth);
+
+  std::span<const Node> nodes() const { return {nodes_, static_cast<std::size_t>(count_)}; }
+
+ private:
+  Node nodes_[kMostChildren / kWidth];
+  int count_ = 0;
+};
+
+}  // namespace lkao::bvh

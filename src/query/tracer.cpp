@@ -1,0 +1,76 @@
+#include "query/tracer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "bvh/scalar_kernel.h"
+#include "bvh/simd_kernel.h"
+#include "bvh/table_kernel.h"
+
+namespace lkao::query {
+
+Tracer::Tracer(std::span<const OccluderLevel> levels, const SamplePattern& pattern, const QueryOptions& options,
+               std::optional<PlaneMaskTable> table)
+    : options_(options),
+      levels_(make_levels(levels, pattern, options.radius)),
+      extent_(extent_of(levels_)),
+      lanes_(pattern, std::isinf(options.radius)),
+      table_(std::move(table)),
+      memories_(levels_.size()) {}
+
+Tracer::Visit::Visit(const Tracer& tracer) : tracer_(tracer) {
+  if (tracer.is_simd()) memories_.emplace(tracer.memories_);
+}
+
+Tracer::Visit::Visit(const Tracer& tracer, const Bounds& origins) : Visit(tracer) {
+  // More entries cost each receiver more tests, which only many rays earn back.
+  const bool is_worth_more = tracer.is_simd() && tracer.lanes_.x.size() >= 256;
+  const int most_children = is_worth_more ? bvh::EntryNodes::kMostChildren : bvh::kWidth;
+  entries_.reserve(tracer.levels_.size());
+  for (const Level& level : tracer.levels_) {
+    const float far = std::min(level.r_max, tracer.options_.radius);
+    entries_.emplace_back(level.occluders.layout(), origins, far, most_children);
+  }
+}
+
+OcclusionMask Tracer::Visit::trace(const ReceiverRays& rays, std::uint32_t excluded_primitive) {
+  if (!rays.cast.any()) return {};
+  const std::vector<Level>& levels = tracer_.levels_;
+  if (levels.size() == 1 && levels[0].is_whole()) return trace_level(0, rays, rays.cast, nullptr, excluded_primitive);
+  OcclusionMask blocked;
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    const Level& level = levels[i];
+    const bvh::RayParts* parts = level.parts ? &*level.parts : nullptr;
+    std::optional<bvh::RayParts> own_parts;
+    if (parts == nullptr && !level.is_whole()) {
+      // Instead of an infinite radius, each receiver has one of its own.
+      own_parts = bvh::make_ray_parts(tracer_.lanes_.length, rays.radius, level.r_min, level.r_max);
+      parts = &*own_parts;
+    }
+    OcclusionMask open = rays.cast & ~blocked;
+    if (parts != nullptr) open = open & parts->existing;
+    const std::uint32_t excluded = i == 0 ? excluded_primitive : kNoPrimitive;
+    if (open.any()) blocked = blocked | trace_level(i, rays, open, parts, excluded);
+  }
+  return blocked;
+}
+
+OcclusionMask Tracer::Visit::trace_level(std::size_t level, const ReceiverRays& rays, const OcclusionMask& open,
+                                         const bvh::RayParts* parts, std::uint32_t excluded_primitive) {
+  const QueryOptions& options = tracer_.options_;
+  const bvh::Layout& layout = tracer_.levels_[level].occluders.layout();
+  const bvh::Query query{.roots = entries_.empty() ? layout.roots() : entries_[level].nodes(),
+                         .rays = rays,
+                         .open = open,
+                         .radius = rays.radius,
+                         .sidedness = options.sidedness,
+                         .excluded_primitive = excluded_primitive,
+                         .parts = parts,
+                         .memory = memories_ ? &(*memories_)[level] : nullptr};
+  if (tracer_.table_) return bvh::trace_table(layout, query, *tracer_.table_, options.node_masks);
+  if (options.kernel == Kernel::scalar) return bvh::trace_scalar(layout, query);
+  return bvh::trace_simd(layout, query, tracer_.lanes_.cones);
+}
+
+}  // namespace lkao::query
