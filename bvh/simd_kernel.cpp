@@ -249,7 +249,9 @@ class SimdTraversal {
 
   // Returns how many rays it blocks, where that is to be remembered.
   int visit(const Leaf& leaf, const ActiveRays& active) {
-    const LeafFrames frames(receiver_, leaf);
+    const Leaf* const leaves[] = {&leaf};
+    LeafFrames<1> frames(receiver_, leaves);
+    frames.decide_sides(receiver_);
     const std::uint32_t reached = frames.reached(query_.far(), query_.rays.frame[2], pattern_cones_);
     if (reached == 0) return 0;
     const LeafPlanes planes(frames, query_.radius, reached);

@@ -24,7 +24,6 @@ namespace hn = hwy::HWY_NAMESPACE;
 inline constexpr int kLaneCount = 16;
 using RayTag = hn::CappedTag<float, kLaneCount>;
 using BoxTag = hn::CappedTag<float, kWidth>;
-using TriangleTag = hn::CappedTag<float, kLeafWidth>;
 
 template <class Tag>
 constexpr int lane_count(Tag tag) {

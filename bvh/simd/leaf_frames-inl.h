@@ -22,34 +22,67 @@
 HWY_BEFORE_NAMESPACE();
 namespace lkao::bvh::HWY_NAMESPACE {
 
-using Floats = hn::Vec<TriangleTag>;
-
 // Bits of rays or triangles: blocked for sure, and perhaps, which only TriangleTest can decide.
 struct Verdict {
   std::uint32_t sure;
   std::uint32_t perhaps;
 };
 
-// What triangle tests need to know of a receiver, as vectors.
+// What triangle tests need to know of a receiver.
 struct LeafReceiver {
   LeafReceiver(const Layout& the_layout, const Query& the_query) : layout(the_layout), query(the_query) {
-    const TriangleTag tag;
-    origin_x = hn::Set(tag, query.rays.origin.x);
-    origin_y = hn::Set(tag, query.rays.origin.y);
-    origin_z = hn::Set(tag, query.rays.origin.z);
+    origin = query.rays.origin;
     const glm::vec3 size = layout.bounds.upper - layout.bounds.lower;
-    near = hn::Set(tag, 0x1p-22f * std::max(size.x, std::max(size.y, size.z)));
-    radius_rounding = hn::Set(tag, 0x1p-24f * query.radius);
+    near = 0x1p-22f * std::max(size.x, std::max(size.y, size.z));
+    radius_rounding = 0x1p-24f * query.radius;
   }
 
   const Layout& layout;
   const Query& query;
-  Floats origin_x, origin_y, origin_z;
-  Floats near;             // see LeafFrames
-  Floats radius_rounding;  // of single precision
+  glm::vec3 origin;
+  float near;             // see LeafFrames
+  float radius_rounding;  // of single precision
 };
 
-// The triangles of a leaf as one receiver sees them, in single precision.
+// As many leaves as a vector has room for the triangles of, and numbers of one ray for each.
+inline constexpr int kLeavesAtOnce = static_cast<int>(hn::MaxLanes(RayTag())) / kLeafWidth;
+template <int kCount>
+using LeafTag = hn::CappedTag<float, kCount * kLeafWidth>;
+
+// A row of each leaf, side by side.
+HWY_INLINE hn::Vec<LeafTag<1>> load_rows(const float* const (&rows)[1]) { return hn::Load(LeafTag<1>(), rows[0]); }
+#if HWY_TARGET <= HWY_AVX3  // Highway's blends cost an instruction more for each row
+HWY_INLINE hn::Vec<LeafTag<4>> load_rows(const float* const (&rows)[4]) {
+  __m512 lanes = _mm512_castps128_ps512(_mm_load_ps(rows[0]));
+  lanes = _mm512_insertf32x4(lanes, _mm_load_ps(rows[1]), 1);
+  lanes = _mm512_insertf32x4(lanes, _mm_load_ps(rows[2]), 2);
+  return hn::Vec<LeafTag<4>>{_mm512_insertf32x4(lanes, _mm_load_ps(rows[3]), 3)};
+}
+#elif HWY_MAX_BYTES >= 32
+HWY_INLINE hn::Vec<LeafTag<2>> load_rows(const float* const (&rows)[2]) {
+  const LeafTag<1> half;
+  return hn::Combine(LeafTag<2>(), hn::Load(half, rows[1]), hn::Load(half, rows[0]));
+}
+#endif
+
+// values[rays[i]] for all triangles of leaf i.
+HWY_INLINE hn::Vec<LeafTag<1>> spread(const float* values, const std::uint32_t (&rays)[1]) {
+  return hn::Set(LeafTag<1>(), values[rays[0]]);
+}
+#if HWY_TARGET <= HWY_AVX3
+HWY_INLINE hn::Vec<LeafTag<4>> spread(const float* values, const std::uint32_t (&rays)[4]) {
+  const __m128 four = _mm_setr_ps(values[rays[0]], values[rays[1]], values[rays[2]], values[rays[3]]);
+  const __m512i places = _mm512_setr_epi32(0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3);
+  return hn::Vec<LeafTag<4>>{_mm512_permutexvar_ps(places, _mm512_castps128_ps512(four))};
+}
+#elif HWY_MAX_BYTES >= 32
+HWY_INLINE hn::Vec<LeafTag<2>> spread(const float* values, const std::uint32_t (&rays)[2]) {
+  const LeafTag<1> half;
+  return hn::Combine(LeafTag<2>(), hn::Set(half, values[rays[1]]), hn::Set(half, values[rays[0]]));
+}
+#endif
+
+// The triangles of one leaf or several as one receiver sees them, in single precision.
 //
 // In the frame of a triangle (make_leaf) the origin is at (u, v, distance) and a ray goes by (du, dv, towards), where
 // distance >= 0 and `towards` is measured towards the plane. The ray meets the triangle where, multiplied by `towards`,
@@ -61,50 +94,73 @@ struct LeafReceiver {
 // and their sum by 22 e g |p| 1.7321 r = 39 e g |p| r. The third edge adds up the errors of both, and 6 e 1.7321 r. The
 // bounds below grant more than that. To |p| comes a little for the definition's own tolerance where the origin is at
 // the vertex.
+template <int kCount>
 class LeafFrames {
  public:
-  HWY_INLINE LeafFrames(const LeafReceiver& receiver, const Leaf& leaf) : leaf_(leaf) {
-    const TriangleTag tag;
-    const auto px = hn::Sub(receiver.origin_x, load(leaf.vertex[0])),
-               py = hn::Sub(receiver.origin_y, load(leaf.vertex[1])),
-               pz = hn::Sub(receiver.origin_z, load(leaf.vertex[2]));
-    u_ = dot(leaf.u_gradient, px, py, pz);
-    v_ = dot(leaf.v_gradient, px, py, pz);
-    const auto behind = dot(leaf.back_normal, px, py, pz);
+  using Tag = LeafTag<kCount>;
+  using Floats = hn::Vec<Tag>;
+  static constexpr std::uint32_t kAllTriangles = (1u << (kCount * kLeafWidth)) - 1;
+
+  HWY_INLINE LeafFrames(const LeafReceiver& receiver, const Leaf* const (&leaves)[kCount]) : leaves_(leaves) {
+    const Tag tag;
+    const auto px = hn::Sub(hn::Set(tag, receiver.origin.x), load([](const Leaf&leaf) { return leaf.vertex[0]; })),
+               py = hn::Sub(hn::Set(tag, receiver.origin.y), load([](const Leaf&leaf) { return leaf.vertex[1]; })),
+               pz = hn::Sub(hn::Set(tag, receiver.origin.z), load([](const Leaf&leaf) { return leaf.vertex[2]; }));
+    u_ = dot(kUGradient, px, py, pz);
+    v_ = dot(kVGradient, px, py, pz);
+    const auto behind = dot(kBackNormal, px, py, pz);
     distance_ = hn::Abs(behind);
     // Rays go against back_normal where the origin is behind the triangle.
     turn_ = hn::AndNot(behind, hn::SignBit(tag));
 
-    const auto reach = hn::Add(hn::Add(hn::Abs(px), hn::Abs(py)), hn::Add(hn::Abs(pz), receiver.near));
+    const auto reach = hn::Add(hn::Add(hn::Abs(px), hn::Abs(py)), hn::Add(hn::Abs(pz), hn::Set(tag, receiver.near)));
     const auto distance_slack = hn::Mul(hn::Set(tag, 6 * 0x1p-24f), reach);
-    edge_slack_ = hn::Mul(hn::MulAdd(hn::Mul(load(leaf.steepness), reach), hn::Set(tag, 90.0f), hn::Set(tag, 12.0f)),
-                          receiver.radius_rounding);
-    own_slack_ = hn::MulAdd(hn::Set(tag, 10.0f), receiver.radius_rounding, distance_slack);
+    const auto radius_rounding = hn::Set(tag, receiver.radius_rounding);
+    const auto steepness = load([](const Leaf& leaf) { return leaf.steepness; });
+    edge_slack_ =
+        hn::Mul(hn::MulAdd(hn::Mul(steepness, reach), hn::Set(tag, 90.0f), hn::Set(tag, 12.0f)), radius_rounding);
+    own_slack_ = hn::MulAdd(hn::Set(tag, 10.0f), radius_rounding, distance_slack);
 
     // `!(x > y)` holds for NaN too.
-    const std::uint32_t unsure_side = kAllTriangles & ~bits_of(tag, hn::Gt(distance_, distance_slack));
-    if (HWY_UNLIKELY(unsure_side != 0)) decide_sides(receiver, unsure_side);
+    unsure_sides_ = kAllTriangles & ~bits_of(tag, hn::Gt(distance_, distance_slack));
     const Query& query = receiver.query;
     if (HWY_UNLIKELY(query.sidedness == Sidedness::one_sided)) {
       candidates_ &= ~bits_of(tag, hn::Gt(behind, distance_slack));
     }
     if (HWY_UNLIKELY(query.excluded_primitive != kNoPrimitive)) {
-      for (int i = 0; i < kLeafWidth; ++i) {
-        if (leaf.primitives[i] == query.excluded_primitive) candidates_ &= ~(1u << i);
+      for (int i = 0; i < kCount; ++i) {
+        candidates_ &= ~(places_of(query.excluded_primitive, *leaves_[i]) << (i * kLeafWidth));
       }
     }
   }
 
-  // Triangles that block one ray.
+  // Triangles that have the origin so close to their planes that its side is not sure. What blocked() says of them is
+  // wrong until decide_sides() has asked TriangleTest.
+  std::uint32_t unsure_sides() const { return unsure_sides_ & candidates_; }
+  HWY_INLINE void decide_sides(const LeafReceiver& receiver) {
+    static_assert(kCount == 1);
+    if (HWY_LIKELY(unsure_sides() == 0)) return;
+    const Tag tag;
+    const Sides sides = sides_of(receiver, *leaves_[0], unsure_sides());
+    const auto turn = hn::IfThenElse(mask_of(tag, sides.in_front), hn::Zero(tag), hn::SignBit(tag));
+    turn_ = hn::IfThenElse(mask_of(tag, unsure_sides()), turn, turn_);
+    candidates_ &= ~sides.cannot_block;
+  }
+
+  // Triangles that block the ray of their leaf.
   template <class Parts>
-  HWY_INLINE Verdict blocked(float x, float y, float z, const Parts& parts, std::uint32_t ray) const {
-    const TriangleTag tag;
-    const auto rx = hn::Set(tag, x), ry = hn::Set(tag, y), rz = hn::Set(tag, z);
-    const auto towards = hn::Xor(dot(leaf_.back_normal, rx, ry, rz), turn_);
-    const auto u = hn::MulAdd(u_, towards, hn::Mul(distance_, dot(leaf_.u_gradient, rx, ry, rz)));
-    const auto v = hn::MulAdd(v_, towards, hn::Mul(distance_, dot(leaf_.v_gradient, rx, ry, rz)));
-    const auto within =
-        depth_within<Parts>(towards, distance_, parts.begin_of_one(tag, ray), parts.end_of_one(tag, ray));
+  HWY_INLINE Verdict blocked(const RaySet& rays, const Parts& parts, const std::uint32_t (&numbers)[kCount]) const {
+    const Tag tag;
+    const auto rx = spread(rays.x, numbers), ry = spread(rays.y, numbers), rz = spread(rays.z, numbers);
+    const auto towards = hn::Xor(dot(kBackNormal, rx, ry, rz), turn_);
+    const auto u = hn::MulAdd(u_, towards, hn::Mul(distance_, dot(kUGradient, rx, ry, rz)));
+    const auto v = hn::MulAdd(v_, towards, hn::Mul(distance_, dot(kVGradient, rx, ry, rz)));
+    // How far the ray goes beyond the triangle's plane, or its part begins before it, whichever is less.
+    auto within = hn::Sub(towards, distance_);
+    if constexpr (Parts::kHasParts) {
+      const auto begin = spread(parts.parts.begin, numbers), end = spread(parts.parts.end, numbers);
+      within = hn::Min(hn::MulSub(towards, end, distance_), hn::NegMulAdd(towards, begin, distance_));
+    }
     const auto least = hn::Min(hn::Min(u, v), hn::Sub(towards, hn::Add(u, v)));
     // NaN is neither less than 0 nor more. Minima may drop it, but not if it comes second, as `least` does.
     const auto missed = hn::Lt(hn::Min(hn::Add(within, own_slack_), hn::Add(least, edge_slack_)), hn::Zero(tag));
@@ -115,10 +171,10 @@ class LeafFrames {
   // Triangles that some ray of the pattern may block: those whose plane is not farther away than rays go towards it
   // that are no longer than `far` and nowhere farther from `axis` than the cones say.
   HWY_INLINE std::uint32_t reached(float far, const glm::vec3& axis, const PatternCones& cones) const {
-    const TriangleTag tag;
+    const Tag tag;
     const auto rounding = hn::Set(tag, 2e-6f);
-    const auto x = hn::Set(tag, axis.x), y = hn::Set(tag, axis.y), z = hn::Set(tag, axis.z);
-    const auto cosine = hn::Xor(dot(leaf_.back_normal, x, y, z), turn_);
+    const auto cosine =
+        hn::Xor(dot(kBackNormal, hn::Set(tag, axis.x), hn::Set(tag, axis.y), hn::Set(tag, axis.z)), turn_);
     const auto sine = hn::Sqrt(hn::Max(hn::NegMulAdd(cosine, cosine, hn::Set(tag, 1.0f + 1e-6f)), hn::Zero(tag)));
     // The largest cosine that a ray of the pattern may have to the normal; 1 where the normal is among them.
     const auto widest_cosine = hn::Set(tag, cones.widest_cosine), widest_sine = hn::Set(tag, cones.widest_sine);
@@ -131,46 +187,55 @@ class LeafFrames {
     return candidates_ & ~bits_of(tag, hn::And(is_out, is_known));
   }
 
-  // How far the ray goes beyond the triangle's plane, or its part begins before it, whichever is less.
-  template <class Parts, class V>
-  HWY_INLINE static V depth_within(V towards, V distance, V begin, V end) {
-    if constexpr (Parts::kHasParts) {
-      return hn::Min(hn::MulSub(towards, end, distance), hn::NegMulAdd(towards, begin, distance));
-    } else {
-      return hn::Sub(towards, distance);
-    }
-  }
-
  private:
   friend class LeafPlanes;  // leaf_planes-inl.h
-  static constexpr std::uint32_t kAllTriangles = (1u << kLeafWidth) - 1;
+  using Rows = float (Leaf::*)[3][kLeafWidth];
+  static constexpr Rows kUGradient = &Leaf::u_gradient, kVGradient = &Leaf::v_gradient,
+                        kBackNormal = &Leaf::back_normal;
 
-  static HWY_INLINE Floats load(const float* values) { return hn::Load(TriangleTag(), values); }
-  static HWY_INLINE Floats dot(const float (&rows)[3][kLeafWidth], Floats x, Floats y, Floats z) {
-    return hn::MulAdd(load(rows[0]), x, hn::MulAdd(load(rows[1]), y, hn::Mul(load(rows[2]), z)));
+  template <class RowOf>
+  HWY_INLINE Floats load(const RowOf& row_of) const {
+    const float* rows[kCount];
+    for (int i = 0; i < kCount; ++i) rows[i] = row_of(*leaves_[i]);
+    return load_rows(rows);
+  }
+  HWY_INLINE Floats load(Rows rows, int axis) const {
+    return load([&](const Leaf& leaf) { return (leaf.*rows)[axis]; });
+  }
+  HWY_INLINE Floats dot(Rows rows, Floats x, Floats y, Floats z) const {
+    return hn::MulAdd(load(rows, 0), x, hn::MulAdd(load(rows, 1), y, hn::Mul(load(rows, 2), z)));
   }
 
-  // Takes the side from TriangleTest where it is in doubt: nearly coplanar receivers.
-  HWY_NOINLINE void decide_sides(const LeafReceiver& receiver, std::uint32_t triangles) {
-    const TriangleTag tag;
+  // What is called seldom takes no part of this as an argument: all of it stays in registers.
+  static HWY_NOINLINE std::uint32_t places_of(std::uint32_t primitive, const Leaf& leaf) {
+    std::uint32_t places = 0;
+    for (int i = 0; i < kLeafWidth; ++i) places |= static_cast<std::uint32_t>(leaf.primitives[i] == primitive) << i;
+    return places;
+  }
+
+  struct Sides {
+    std::uint32_t in_front, cannot_block;
+  };
+  static HWY_NOINLINE Sides sides_of(const LeafReceiver& receiver, const Leaf& leaf, std::uint32_t triangles) {
+    Sides sides{0, 0};
     for (; triangles != 0; triangles &= triangles - 1) {
       const int i = std::countr_zero(triangles);
-      const TriangleTest test = make_test(receiver.layout, leaf_.primitives[i], receiver.query);
-      const auto lane = mask_of(tag, 1u << i);
+      const TriangleTest test = make_test(receiver.layout, leaf.primitives[i], receiver.query);
       if (!test.can_block()) {
-        candidates_ &= ~(1u << i);
-      } else {
-        const auto turn = test.in_front() ? hn::Zero(tag) : hn::SignBit(tag);
-        turn_ = hn::IfThenElse(lane, turn, turn_);
+        sides.cannot_block |= 1u << i;
+      } else if (test.in_front()) {
+        sides.in_front |= 1u << i;
       }
     }
+    return sides;
   }
 
-  const Leaf& leaf_;
+  const Leaf* const (&leaves_)[kCount];
   Floats u_, v_, distance_;
   Floats turn_;  // sign bit
   Floats edge_slack_, own_slack_;
   std::uint32_t candidates_ = kAllTriangles;
+  std::uint32_t unsure_sides_;
 };
 
 }  // namespace lkao::bvh::HWY_NAMESPACE

@@ -37,25 +37,26 @@ namespace lkao::bvh::HWY_NAMESPACE {
 class LeafPlanes {
  public:
   // `triangles`: those that can block a ray at all, as LeafFrames::reached() finds them.
-  HWY_INLINE LeafPlanes(const LeafFrames& frames, float radius, std::uint32_t triangles) {
-    const TriangleTag tag;
+  HWY_INLINE LeafPlanes(const LeafFrames<1>& frames, float radius, std::uint32_t triangles) {
+    const LeafTag<1> tag;
     const auto zero = hn::Zero(tag), one = hn::Set(tag, 1.0f), least = hn::Set(tag, 1e-30f);
     // A slack that is no number stays one, as the second operand.
-    const auto own_slack = hn::Max(least, own_slack_of(frames)), edge_slack = hn::Max(least, frames.edge_slack_);
+    const auto own_slack = hn::Max(least, hn::Mul(hn::Set(tag, 1.6f), frames.own_slack_)),
+               edge_slack = hn::Max(least, frames.edge_slack_);
     // Where rows would leave the range of floats, all rays are in doubt.
     const float most = radius > 1e-25f ? std::min(1e30f * radius, 1e37f) : 0.0f;
     const auto fits = hn::Lt(edge_slack, hn::Set(tag, most));
     const auto edge_scale = hn::IfThenElseZero(fits, hn::Div(one, edge_slack)), own_scale = hn::Div(one, own_slack);
     for (int axis = 0; axis < 3; ++axis) {
-      const auto towards = hn::Xor(frames.load(frames.leaf_.back_normal[axis]), frames.turn_);
-      const auto row = [&](Floats origin, const float* gradient) HWY_ATTR {
-        const auto value = hn::MulAdd(origin, towards, hn::Mul(frames.distance_, frames.load(gradient)));
+      const auto towards = hn::Xor(frames.load(Frames::kBackNormal, axis), frames.turn_);
+      const auto row = [&](const auto& origin, auto gradient) HWY_ATTR {
+        const auto value = hn::MulAdd(origin, towards, hn::Mul(frames.distance_, frames.load(gradient, axis)));
         return hn::IfThenElseZero(fits, hn::Mul(edge_scale, value));
       };
       hn::Store(towards, tag, normal_[axis]);
       hn::Store(hn::Mul(edge_scale, towards), tag, towards_[axis]);
-      hn::Store(row(frames.u_, frames.leaf_.u_gradient[axis]), tag, u_[axis]);
-      hn::Store(row(frames.v_, frames.leaf_.v_gradient[axis]), tag, v_[axis]);
+      hn::Store(row(frames.u_, Frames::kUGradient), tag, u_[axis]);
+      hn::Store(row(frames.v_, Frames::kVGradient), tag, v_[axis]);
     }
     // What cannot block a ray is too far away.
     const auto can_block = mask_of(tag, triangles);
@@ -123,12 +124,8 @@ class LeafPlanes {
     return chunks;
   }
 
-  // O.
-  static HWY_INLINE Floats own_slack_of(const LeafFrames& frames) {
-    return hn::Mul(hn::Set(TriangleTag(), 1.6f), frames.own_slack_);
-  }
-
  private:
+  using Frames = LeafFrames<1>;
   using RayFloats = hn::Vec<RayTag>;
   static constexpr std::uint32_t kLanes = (1u << hn::MaxLanes(RayTag())) - 1;
 

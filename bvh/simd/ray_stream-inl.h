@@ -164,60 +164,131 @@ class RayStream {
     for (int offset = 0; offset < 256; offset += 64) hwy::Prefetch(static_cast<const std::uint8_t*>(item) + offset);
   }
 
+  // Nodes whose 8 boxes fit a vector side by side.
+  static constexpr int kNodesAtOnce = hn::MaxLanes(RayTag()) == 2 * kWidth ? 2 : 1;
+
   HWY_INLINE void visit_nodes(const Batch& batch) {
-    const BoxTag tag;
-    const hn::RebindToUnsigned<BoxTag> bits_tag;
     const Node* const nodes = layout_.nodes.data();
-    const glm::vec3 origin = query_.rays.origin;
-    const auto ox = hn::Set(tag, origin.x), oy = hn::Set(tag, origin.y), oz = hn::Set(tag, origin.z);
     int count = pairs_.count;
-    for (int k = 0; k < batch.count; ++k) {
-      const Node& node = nodes[batch.nodes[k]];
-      const std::uint32_t ray = batch.rays[k];
-      const float inverse_x = rays_.inverse_x[ray], inverse_y = rays_.inverse_y[ray], inverse_z = rays_.inverse_z[ray];
-      const auto x = hn::Set(tag, inverse_x), y = hn::Set(tag, inverse_y), z = hn::Set(tag, inverse_z);
-      // The slab test of may_meet, with the face that a ray meets first found by its sign.
-      const std::uint32_t down_x = sign_of(inverse_x), down_y = sign_of(inverse_y), down_z = sign_of(inverse_z);
-      for (int i = 0; i < kWidth; i += lane_count(tag)) {
-        const auto at = [&](std::uint32_t face, int axis, auto from, auto inverse) HWY_ATTR {
-          return hn::Mul(hn::Sub(hn::Load(tag, node.faces[face][axis] + i), from), inverse);
-        };
-        const auto enter = hn::Max(hn::Max(at(down_x, 0, ox, x), at(down_y, 1, oy, y)),
-                                   hn::Max(at(down_z, 2, oz, z), parts_.begin_of_one(tag, ray)));
-        const auto leave = hn::Min(hn::Min(at(1 - down_x, 0, ox, x), at(1 - down_y, 1, oy, y)),
-                                   hn::Min(at(1 - down_z, 2, oz, z), parts_.end_of_one(tag, ray)));
-        const auto met = hn::RebindMask(bits_tag, hn::Le(enter, hn::Mul(leave, hn::Set(tag, 1.0f + kBoxSlack))));
-        hn::StoreU(hn::Set(bits_tag, ray), bits_tag, pairs_.rays + count);
-        count += store_packed(bits_tag, hn::Load(bits_tag, node.child_bits() + i), met, pairs_.children + count);
+    for (int k = 0; k < batch.count; k += kNodesAtOnce) {
+      if constexpr (kNodesAtOnce == 2) {
+        const bool has_second = k + 1 < batch.count;
+        const int second = k + has_second;
+        count = visit_two_nodes(nodes[batch.nodes[k]], nodes[batch.nodes[second]], batch.rays[k], batch.rays[second],
+                                has_second, count);
+      } else {
+        count = visit_node(nodes[batch.nodes[k]], batch.rays[k], count);
       }
     }
     pairs_.count = count;
+  }
+
+  // The slab test of may_meet, with the face that a ray meets first found by its sign. Adds the children that the ray
+  // may meet to the `count` pairs there are, and returns how many are then.
+  HWY_INLINE int visit_node(const Node& node, std::uint32_t ray, int count) {
+    const BoxTag tag;
+    const hn::RebindToUnsigned<BoxTag> bits_tag;
+    const glm::vec3& origin = query_.rays.origin;
+    const float inverse[] = {rays_.inverse_x[ray], rays_.inverse_y[ray], rays_.inverse_z[ray]};
+    for (int i = 0; i < kWidth; i += lane_count(tag)) {
+      auto enter = parts_.begin_of_one(tag, ray), leave = parts_.end_of_one(tag, ray);
+      for (int axis = 0; axis < 3; ++axis) {
+        const auto from = hn::Set(tag, origin[axis]), by = hn::Set(tag, inverse[axis]);
+        const std::uint32_t down = sign_of(inverse[axis]);
+        const auto at = [&](std::uint32_t face)
+                            HWY_ATTR { return hn::Mul(hn::Sub(hn::Load(tag, node.faces[face][axis] + i), from), by); };
+        enter = hn::Max(enter, at(down));
+        leave = hn::Min(leave, at(1 - down));
+      }
+      const auto met = hn::RebindMask(bits_tag, hn::Le(enter, hn::Mul(leave, hn::Set(tag, 1.0f + kBoxSlack))));
+      hn::StoreU(hn::Set(bits_tag, ray), bits_tag, pairs_.rays + count);
+      count += store_packed(bits_tag, hn::Load(bits_tag, node.child_bits() + i), met, pairs_.children + count);
+    }
+    return count;
+  }
+
+  // The same for a node and a ray each in the lower and the upper half of a vector.
+  HWY_INLINE int visit_two_nodes(const Node& a, const Node& b, std::uint32_t ray_a, std::uint32_t ray_b,
+                                 bool has_second, int count) {
+    const RayTag tag;
+    const hn::RebindToUnsigned<RayTag> bits_tag;
+    const hn::Half<RayTag> half;
+    const auto lower = hn::FirstN(tag, kWidth);
+    const auto bits_lower = hn::FirstN(bits_tag, kWidth);
+    const glm::vec3& origin = query_.rays.origin;
+    const float* const inverses[] = {rays_.inverse_x, rays_.inverse_y, rays_.inverse_z};
+    auto enter = parts_.begin_of_one(tag, ray_b), leave = parts_.end_of_one(tag, ray_b);
+    if constexpr (Parts::kHasParts) {
+      enter = hn::IfThenElse(lower, parts_.begin_of_one(tag, ray_a), enter);
+      leave = hn::IfThenElse(lower, parts_.end_of_one(tag, ray_a), leave);
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+      const float inverse_a = inverses[axis][ray_a], inverse_b = inverses[axis][ray_b];
+      const std::uint32_t down_a = sign_of(inverse_a), down_b = sign_of(inverse_b);
+      const auto from = hn::Set(tag, origin[axis]);
+      const auto by = hn::IfThenElse(lower, hn::Set(tag, inverse_a), hn::Set(tag, inverse_b));
+      const auto at = [&](std::uint32_t face_a, std::uint32_t face_b) HWY_ATTR {
+        const auto faces =
+            hn::Combine(tag, hn::Load(half, b.faces[face_b][axis]), hn::Load(half, a.faces[face_a][axis]));
+        return hn::Mul(hn::Sub(faces, from), by);
+      };
+      enter = hn::Max(enter, at(down_a, down_b));
+      leave = hn::Min(leave, at(1 - down_a, 1 - down_b));
+    }
+    auto met = hn::RebindMask(bits_tag, hn::Le(enter, hn::Mul(leave, hn::Set(tag, 1.0f + kBoxSlack))));
+    if (!has_second) met = hn::And(met, bits_lower);
+    const hn::Half<decltype(bits_tag)> bits_half;
+    const auto children =
+        hn::Combine(bits_tag, hn::Load(bits_half, b.child_bits()), hn::Load(bits_half, a.child_bits()));
+    const auto rays = hn::IfThenElse(bits_lower, hn::Set(bits_tag, ray_a), hn::Set(bits_tag, ray_b));
+    store_packed(bits_tag, rays, met, pairs_.rays + count);
+    return count + store_packed(bits_tag, children, met, pairs_.children + count);
   }
 
   static HWY_INLINE std::uint32_t sign_of(float value) { return std::bit_cast<std::uint32_t>(value) >> 31; }
 
   HWY_INLINE void visit_leaves() {
     const LeafReceiver receiver = receiver_;
-    const Leaf* const leaves = layout_.leaves.data();
     const int count = leaves_.count;
-    for (int i = 0; i < count; ++i) visit(receiver, leaves_.children[i], leaves[leaves_.children[i]], leaves_.rays[i]);
+    // The last pair again, until the last vector is full.
+    for (int i = count; i < count + kLeavesAtOnce - 1 && count > 0; ++i) {
+      leaves_.children[i] = leaves_.children[count - 1];
+      leaves_.rays[i] = leaves_.rays[count - 1];
+    }
+    for (int i = 0; i < count; i += kLeavesAtOnce) visit_leaves_at(receiver, i);
     leaves_.count = 0;
   }
 
-  HWY_INLINE void visit(const LeafReceiver& receiver, std::uint32_t number, const Leaf& leaf, std::uint32_t ray) {
-    const LeafFrames frames(receiver, leaf);
-    const Verdict triangles = frames.blocked(rays_.x[ray], rays_.y[ray], rays_.z[ray], parts_, ray);
-    std::uint32_t blocked = triangles.sure != 0;
-    const std::uint32_t in_doubt = static_cast<std::uint32_t>(triangles.perhaps != 0) & ~blocked;
-    if (HWY_UNLIKELY(in_doubt != 0)) blocked = resolve(leaf, ray, triangles.perhaps);
-    rays_.close(ray, blocked);
-    if constexpr (kRemembers) rays_.blockers[blocked != 0 ? ray : kMaxRayCount] = number;
+  HWY_INLINE void visit_leaves_at(const LeafReceiver& receiver, int first) {
+    const Leaf* leaves[kLeavesAtOnce];
+    std::uint32_t rays[kLeavesAtOnce];
+    for (int i = 0; i < kLeavesAtOnce; ++i) {
+      leaves[i] = layout_.leaves.data() + leaves_.children[first + i];
+      rays[i] = leaves_.rays[first + i];
+    }
+    const LeafFrames<kLeavesAtOnce> frames(receiver, leaves);
+    const Verdict triangles = frames.blocked(rays_, parts_, rays);
+    const std::uint32_t in_doubt = (triangles.perhaps & ~triangles.sure) | frames.unsure_sides();
+    for (int i = 0; i < kLeavesAtOnce; ++i) {
+      constexpr std::uint32_t kOneLeaf = (1u << kLeafWidth) - 1;
+      std::uint32_t blocked = (triangles.sure >> (i * kLeafWidth) & kOneLeaf) != 0;
+      if (HWY_UNLIKELY((in_doubt >> (i * kLeafWidth) & kOneLeaf) != 0))
+        blocked = resolve(receiver, *leaves[i], rays[i]);
+      rays_.close(rays[i], blocked);
+      if constexpr (kRemembers) rays_.blockers[blocked != 0 ? rays[i] : kMaxRayCount] = leaves_.children[first + i];
+    }
   }
 
-  // Does any of the triangles in doubt block the ray?
-  HWY_NOINLINE bool resolve(const Leaf& leaf, std::uint32_t ray, std::uint32_t triangles) const {
-    for (; triangles != 0; triangles &= triangles - 1) {
-      const TriangleTest test = make_test(layout_, leaf.primitives[std::countr_zero(triangles)], query_);
+  // Does any triangle of the leaf block the ray? In doubt, TriangleTest decides.
+  HWY_NOINLINE bool resolve(const LeafReceiver& receiver, const Leaf& leaf, std::uint32_t ray) const {
+    const Leaf* const leaves[] = {&leaf};
+    const std::uint32_t rays[] = {ray};
+    LeafFrames<1> frames(receiver, leaves);
+    frames.decide_sides(receiver);
+    const Verdict triangles = frames.blocked(rays_, parts_, rays);
+    if (triangles.sure != 0) return true;
+    for (std::uint32_t rest = triangles.perhaps; rest != 0; rest &= rest - 1) {
+      const TriangleTest test = make_test(layout_, leaf.primitives[std::countr_zero(rest)], query_);
       if (test.can_block() && blocks(test, query_, static_cast<int>(ray))) return true;
     }
     return false;
