@@ -89,10 +89,10 @@ class SimdTraversal {
   }
 
  private:
-  std::uint64_t all_chunks() const { return ~std::uint64_t{0} >> (kMaxChunkCount - rays_.chunk_count); }
+  ActiveRays all_rays() const { return {rays_.open, rays_.chunk_count}; }
 
   void traverse() {
-    for (const Node& root : query_.roots) visit(root, {all_chunks(), rays_.open});
+    for (const Node& root : query_.roots) visit(root, all_rays());
     stream_.run();
   }
 
@@ -103,9 +103,9 @@ class SimdTraversal {
     for (int child = 0; child < memory.first_count(); ++child) {
       int blocked_count = 0;
       if ((boxes.reached() >> child & 1) != 0) {
-        std::uint16_t met[kMaxChunkCount];
-        const Rays rays = rays_meeting(boxes, child, {all_chunks(), rays_.open}, met);
-        if (rays.count > 0) blocked_count = visit(layout_.leaves[memory.first().children[child].index()], rays.active);
+        ChunkMasks met;
+        const ActiveRays rays = rays_meeting(boxes, child, all_rays(), met);
+        if (rays.count > 0) blocked_count = visit(layout_.leaves[memory.first().children[child].index()], rays);
       }
       memory.score(child, blocked_count);
     }
@@ -123,27 +123,29 @@ class SimdTraversal {
   // A leaf that blocks so many is worth a place among the first.
   int many_rays() const { return std::max(2, query_.rays.ray_count / 32); }
 
-  struct Rays {
-    ActiveRays active;
-    int count;
-  };
-
-  // Open rays of `active` that may meet the child, their masks in `met`.
-  HWY_INLINE Rays rays_meeting(const RelativeBoxes<Parts>& boxes, int child, const ActiveRays& active,
-                               std::uint16_t* met) {
+  // Open rays of `active` that may meet the child.
+  HWY_INLINE ActiveRays rays_meeting(const RelativeBoxes<Parts>& boxes, int child, const ActiveRays& active,
+                                     ChunkMasks& met) {
     std::uint64_t tested = active.chunks;
     if (rays_.chunk_count >= kManyChunks) tested &= cones_.meeting(boxes, child);
     test_count_ += std::popcount(tested);
+    met.clear(rays_.chunk_count);
     std::uint64_t chunks = 0;
     int count = 0;
     for_each_chunk(tested, [&](int chunk) {
       const std::uint32_t candidates = static_cast<std::uint32_t>(active.masks[chunk]) & rays_.open[chunk];
       const std::uint32_t mask = candidates & boxes.rays_meeting(child, rays_, parts_, chunk);
-      met[chunk] = static_cast<std::uint16_t>(mask);
+      met.of[chunk] = static_cast<std::uint16_t>(mask);
       chunks |= static_cast<std::uint64_t>(mask != 0) << chunk;
       count += std::popcount(mask);
     });
-    return {{chunks, met}, count};
+    return {met.of, chunks, count};
+  }
+
+  // Those of `active` that are still open.
+  HWY_INLINE ActiveRays open_rays(const ActiveRays& active, ChunkMasks& masks) const {
+    masks.set_to_and(active.masks, rays_.open, rays_.chunk_count);
+    return {masks.of, rays_.chunk_count};
   }
 
   // `active`: rays that may meet the node. Those that were blocked in the meantime are left out here. The last children
@@ -162,69 +164,60 @@ class SimdTraversal {
     for (std::uint32_t children = boxes.reached(); children != 0;) {
       const int child = last_of(children);
       children ^= 1u << child;
-      std::uint16_t met[kMaxChunkCount];
+      ChunkMasks met;
       const bool holds_origin = (boxes.holding_origin() >> child & 1) != 0;
-      const Rays rays = holds_origin ? open_rays(active, met) : rays_meeting(boxes, child, active, met);
+      const ActiveRays rays = holds_origin ? open_rays(active, met) : rays_meeting(boxes, child, active, met);
       if (rays.count > 0) visit(node.children[child], node, child, rays);
     }
   }
 
   // All children are tested first.
   void visit_tested(const Node& node, const RelativeBoxes<Parts>& boxes, const ActiveRays& active) {
-    std::uint16_t open_masks[kManyChunks];
-    const Rays open = open_rays(active, open_masks);
+    ChunkMasks open_masks;
+    const ActiveRays open = open_rays(active, open_masks);
     if (open.count == 0) return;
     const std::uint32_t inside = boxes.holding_origin(), outside = boxes.reached() & ~inside;
-    std::uint16_t met[kWidth][kManyChunks];
-    Rays rays[kWidth];
+    ChunkMasks met[kWidth];
+    ActiveRays rays[kWidth];
     if (ChunkCones::Node8::kFits && std::popcount(outside) >= 3) {
       test_pairs(boxes, outside, open, met, rays);
     } else {
       for (std::uint32_t children = outside; children != 0; children &= children - 1) {
         const int child = std::countr_zero(children);
-        rays[child] = rays_meeting(boxes, child, open.active, met[child]);
+        rays[child] = rays_meeting(boxes, child, open, met[child]);
       }
     }
     for (std::uint32_t children = boxes.reached(); children != 0;) {
       const int child = last_of(children);
       children ^= 1u << child;
-      const Rays& meeting = (inside >> child & 1) != 0 ? open : rays[child];
+      const ActiveRays& meeting = (inside >> child & 1) != 0 ? open : rays[child];
       if (meeting.count > 0) visit(node.children[child], node, child, meeting);
     }
   }
 
-  // Those of `active` that are still open, their masks in `masks`.
-  HWY_INLINE Rays open_rays(const ActiveRays& active, std::uint16_t* masks) const {
-    std::uint64_t chunks = 0;
-    int count = 0;
-    for_each_chunk(active.chunks, [&](int chunk) {
-      masks[chunk] = active.masks[chunk] & rays_.open[chunk];
-      chunks |= static_cast<std::uint64_t>(masks[chunk] != 0) << chunk;
-      count += std::popcount(masks[chunk]);
-    });
-    return {{chunks, masks}, count};
-  }
-
   // Children `outside` of the origin: those pairs of a child and a chunk whose cone meets it, in one loop. As nested
   // loops, with a few turns each, the processor would guess wrong at every end.
-  HWY_INLINE void test_pairs(const RelativeBoxes<Parts>& boxes, std::uint32_t outside, const Rays& open,
-                             std::uint16_t (&met)[kWidth][kManyChunks], Rays (&rays)[kWidth]) {
+  HWY_INLINE void test_pairs(const RelativeBoxes<Parts>& boxes, std::uint32_t outside, const ActiveRays& open,
+                             ChunkMasks (&met)[kWidth], ActiveRays (&rays)[kWidth]) {
     cones_.prepare();
     const typename ChunkCones::Node8 node(cones_, boxes);
-    for (int child = 0; child < kWidth; ++child) rays[child] = {{0, met[child]}, 0};
+    for (int child = 0; child < kWidth; ++child) {
+      met[child].clear(rays_.chunk_count);
+      rays[child] = {met[child].of, 0, 0};
+    }
     for (int first = 0; first < rays_.chunk_count; first += 8) {
       std::uint64_t pairs = 0, open_rows = 0;  // a byte of children a chunk
       for (int i = 0; i < 8; ++i) {
         pairs |= static_cast<std::uint64_t>(node.met_by(first + i)) << (8 * i);
-        open_rows |= (open.active.chunks >> (first + i) & 1) << (8 * i);
+        open_rows |= (open.chunks >> (first + i) & 1) << (8 * i);
       }
       pairs &= open_rows * outside;
       test_count_ += std::popcount(pairs);
       for (; pairs != 0; pairs &= pairs - 1) {
         const int bit = std::countr_zero(pairs), child = bit & 7, chunk = first + (bit >> 3);
-        const std::uint32_t mask = open.active.masks[chunk] & boxes.rays_meeting(child, rays_, parts_, chunk);
-        met[child][chunk] = static_cast<std::uint16_t>(mask);
-        rays[child].active.chunks |= static_cast<std::uint64_t>(mask != 0) << chunk;
+        const std::uint32_t mask = open.masks[chunk] & boxes.rays_meeting(child, rays_, parts_, chunk);
+        met[child].of[chunk] = static_cast<std::uint16_t>(mask);
+        rays[child].chunks |= static_cast<std::uint64_t>(mask != 0) << chunk;
         rays[child].count += std::popcount(mask);
       }
     }
@@ -233,17 +226,17 @@ class SimdTraversal {
   static int last_of(std::uint32_t children) { return 31 - std::countl_zero(children); }
 
   // A node that few rays meet goes to the stream, and a leaf that few rays of a chunk meet on average.
-  void visit(ChildRef child, const Node& parent, int place, const Rays& rays) {
-    const int few = child.is_leaf() ? std::popcount(rays.active.chunks) : rays_.chunk_count >= kManyChunks ? 32 : 16;
+  void visit(ChildRef child, const Node& parent, int place, const ActiveRays& rays) {
+    const int few = child.is_leaf() ? std::popcount(rays.chunks) : rays_.chunk_count >= kManyChunks ? 32 : 16;
     if (rays.count <= few) {
-      stream_.push(child, rays.active);
+      stream_.push(child, rays);
     } else if (child.is_leaf()) {
-      const int blocked_count = visit(layout_.leaves[child.index()], rays.active);
+      const int blocked_count = visit(layout_.leaves[child.index()], rays);
       if constexpr (kRemembers) {
         if (blocked_count >= many_rays()) query_.memory->offer(child, parent.child_bounds(place), blocked_count);
       }
     } else {
-      visit(layout_.nodes[child.index()], rays.active);
+      visit(layout_.nodes[child.index()], rays);
     }
   }
 

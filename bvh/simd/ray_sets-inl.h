@@ -97,10 +97,50 @@ class RaySet {
 static_assert(kMaxChunkCount <= 64);
 static_assert(std::endian::native == std::endian::little, "a chunk is 16 bits of a 64-bit word");
 
-// Some rays: the chunks that have any, and their masks by chunk number.
+// Masks of rays by chunk number. A whole number of vectors, so that loops over them need no remainder.
+struct alignas(64) ChunkMasks {
+  HWY_INLINE void clear(int chunk_count) {
+    const hn::CappedTag<std::uint16_t, 8> tag;
+    for (int i = 0; i < chunk_count; i += 8) {
+      for (int k = i; k < i + 8; k += lane_count(tag)) hn::Store(hn::Zero(tag), tag, of + k);
+    }
+  }
+
+  // What is in both, for the first `chunk_count` chunks.
+  HWY_INLINE void set_to_and(const std::uint16_t* a, const std::uint16_t* b, int chunk_count) {
+    const hn::CappedTag<std::uint16_t, 8> tag;
+    for (int i = 0; i < chunk_count; i += 8) {
+      for (int k = i; k < i + 8; k += lane_count(tag)) {
+        hn::Store(hn::And(hn::Load(tag, a + k), hn::Load(tag, b + k)), tag, of + k);
+      }
+    }
+  }
+
+  std::uint16_t of[kMaxChunkCount];
+};
+
+// Some rays: their masks by chunk number, the chunks that have any, and their number.
 struct ActiveRays {
+  ActiveRays() = default;
+  // Of which neither chunks nor number are known yet.
+  HWY_INLINE ActiveRays(const std::uint16_t* the_masks, int chunk_count) : masks(the_masks), chunks(0), count(0) {
+    const hn::CappedTag<std::uint16_t, 8> tag;
+    for (int i = 0; i < chunk_count; i += 8) {
+      for (int k = i; k < i + 8; k += lane_count(tag)) {
+        const auto some = hn::Ne(hn::Load(tag, masks + k), hn::Zero(tag));
+        chunks |= static_cast<std::uint64_t>(bits_of(tag, some)) << k;
+      }
+      std::uint64_t words[2];
+      std::memcpy(words, masks + i, sizeof(words));
+      count += std::popcount(words[0]) + std::popcount(words[1]);
+    }
+  }
+  ActiveRays(const std::uint16_t* the_masks, std::uint64_t the_chunks, int the_count)
+      : masks(the_masks), chunks(the_chunks), count(the_count) {}
+
+  const std::uint16_t* masks;
   std::uint64_t chunks;
-  const std::uint16_t* masks;  // where `chunks` has no bit there may be anything
+  int count;
 };
 
 // Calls `function(chunk)` for every bit.

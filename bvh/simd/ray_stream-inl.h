@@ -51,7 +51,7 @@ class RayStream {
       }
     });
     pairs_.count = count;
-    if (count > kWorthwhile) run();
+    if (count > kWorthwhile) answer(kBatch);
   }
 
   // Closes the open rays that the leaf of their cell blocks.
@@ -73,16 +73,8 @@ class RayStream {
   }
 
   // Closes all rays of the stream that some triangle blocks.
-  HWY_NOINLINE void run() {
-    Batch batches[2];
-    int turn = 0;
-    take(batches[turn]);
-    while (batches[turn].count > 0 || pairs_.count > 0) {
-      take(batches[1 - turn]);
-      visit_nodes(batches[turn]);
-      turn = 1 - turn;
-      if (leaves_.count > kFewLeaves) visit_leaves();
-    }
+  void run() {
+    answer(0);
     visit_leaves();
   }
 
@@ -90,12 +82,29 @@ class RayStream {
   int pair_count() const { return pair_count_; }
 
  private:
+  // Answers nodes until no more than `most` pairs are left, and their leaves as soon as there are more than a few.
+  HWY_NOINLINE void answer(int most) {
+    Batch batches[2];
+    int turn = 0;
+    take(batches[turn]);
+    while (batches[turn].count > 0 || pairs_.count > most) {
+      if (pairs_.count > most) {
+        take(batches[1 - turn]);
+      } else {
+        batches[1 - turn].count = 0;
+      }
+      visit_nodes(batches[turn]);
+      turn = 1 - turn;
+      if (leaves_.count > kFewLeaves) visit_leaves();
+    }
+  }
+
   using NumberTag = hn::CappedTag<std::uint32_t, kLaneCount>;
 
   static constexpr int kBatch = 32;
   // A stream this long is answered at once, and leaves as soon as there are more than a few: every ray that they close
   // spares the pairs that it has left.
-  static constexpr int kWorthwhile = 48, kFewLeaves = 4;
+  static constexpr int kWorthwhile = 96, kFewLeaves = 12;
   // push() adds no more than all rays once; a batch no more than 8 children a pair. From kFull on pairs are answered
   // one by one, depth first, and each level of the hierarchy adds at most 7.
   static constexpr int kFull = 1024;
@@ -247,7 +256,7 @@ class RayStream {
 
   static HWY_INLINE std::uint32_t sign_of(float value) { return std::bit_cast<std::uint32_t>(value) >> 31; }
 
-  HWY_INLINE void visit_leaves() {
+  HWY_NOINLINE void visit_leaves() {
     const LeafReceiver receiver = receiver_;
     const int count = leaves_.count;
     // The last pair again, until the last vector is full.
