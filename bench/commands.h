@@ -14,6 +14,8 @@ struct Command {
 
 // Ray casting against Embree.
 Command add_rays_command(CLI::App& program);
+// Several runs of it together.
+Command add_spread_command(CLI::App& program);
 // Builds against Embree.
 Command add_build_command(CLI::App& program);
 // The rasterised method against the query; where it is built.

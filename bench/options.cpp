@@ -1,5 +1,7 @@
 #include "options.h"
 
+#include <tbb/info.h>
+
 namespace lkao::bench {
 
 void add_scene_options(CLI::App& app, StudySceneOptions& scenes, const std::string& built_in) {
@@ -16,6 +18,17 @@ void add_size_options(CLI::App& app, StudySceneOptions& scenes) {
 void add_rounds_option(CLI::App& app, int& round_count) {
   app.add_option("--rounds", round_count, "of which the median counts")
       ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+}
+
+void add_threads_option(CLI::App& app, std::vector<int>& thread_counts) {
+  const auto number_of = [](const std::string& text) {
+    return text == "all" ? std::to_string(tbb::info::default_concurrency()) : text;
+  };
+  app.add_option("--threads", thread_counts, "each in turn: numbers, or all")
+      ->delimiter(',')
+      ->transform(number_of, "")
+      ->check(CLI::Range(1, 1024))
       ->capture_default_str();
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
@@ -15,6 +16,8 @@ void add_scene_options(CLI::App& app, StudySceneOptions& scenes, const std::stri
 void add_size_options(CLI::App& app, StudySceneOptions& scenes);
 // --rounds
 void add_rounds_option(CLI::App& app, int& round_count);
+// --threads: numbers, or "all" for as many as the machine has.
+void add_threads_option(CLI::App& app, std::vector<int>& thread_counts);
 // --csv
 void add_csv_option(CLI::App& app, std::string& path);
 

@@ -1,36 +1,51 @@
-// One cell of the speed comparison: a scene, a radius and a ray count, measured by every method.
+// One cell of the speed comparison: a scene, a radius, a ray count, an instruction set and a number of threads,
+// measured by every method.
 #pragma once
 
 #include <span>
 #include <string>
 #include <vector>
 
+#include "compared_isas.h"
 #include "lkao/ambient_occlusion.h"
 #include "reference/embree_reference.h"
 #include "reference/embree_scene.h"
 
 namespace lkao::bench {
 
-// Method names of lkao's kernels; Embree's are those of EmbreeMode.
-inline constexpr const char* kSimdMethod = "lkao_simd";
+// Method names of lkao; Embree's are those of EmbreeMode.
+inline constexpr const char* kSimdMethod = "lkao_simd";      // batches
+inline constexpr const char* kSingleMethod = "lkao_single";  // the same kernel, one receiver a call
 inline constexpr const char* kScalarMethod = "lkao_scalar";
+
+// Groups of cells: whether rays end inside the scene.
+inline constexpr const char* kBounded = "bounded";
+inline constexpr const char* kUnbounded = "unbounded";
 
 struct MethodResult {
   std::string method;
-  std::string isa;
+  std::vector<double> seconds;  // of each round, by WorkClock
   double mrays_per_second = 0;  // of rays above the horizon, making them included; the median of the rounds
   double mismatch_rate = 0;     // share of the rays whose answer differs from robust Embree's
 };
 
+// How many times as fast as `b` is `a`: the median of the ratios inside the rounds that both ran, which slow changes of
+// the processor's clock touch less than the ratio of the medians.
+double speed_ratio(const MethodResult& a, const MethodResult& b);
+
 struct Cell {
   std::string scene;
   float radius = 0;
+  std::string group;
   int ray_count = 0;
-  std::vector<std::string> isas;      // of lkao's SIMD kernel; the first is the one that Embree is compared with
-  std::vector<MethodResult> results;  // lkao's kernels, then Embree's modes
+  ComparedIsa isa;
+  int thread_count = 0;
+  std::vector<MethodResult> results;  // lkao's methods, then Embree's modes
 
-  const MethodResult& simd() const { return results.front(); }  // on the first of `isas`
-  const MethodResult& scalar() const;
+  const MethodResult& simd() const { return results[0]; }
+  const MethodResult& single() const { return results[1]; }
+  // Null where it was not measured.
+  const MethodResult* scalar() const;
   const MethodResult& best_embree() const;
   // The better of the two flags.
   const MethodResult& occluded1() const;
@@ -38,18 +53,20 @@ struct Cell {
 
 struct CellInput {
   const OccluderBvh* occluders;
-  const reference::EmbreeScene* rival;  // not robust
+  const reference::EmbreeScene* rival;  // not robust, limited to the cell's instruction set
   const reference::EmbreeReference* oracle;
   std::span<const Receiver> receivers;  // two-sided, none excludes a primitive
 };
 
 struct MeasureOptions {
   int round_count = 5;
-  int thread_count = 1;
+  std::vector<int> thread_counts = {1};
 };
 
-// Measures all methods in turn, round after round; the scalar kernel in the first round only. Fills `cell.results` for
-// its radius, ray count and instruction sets, and leaves the first of these forced.
-void measure(const CellInput& input, const MeasureOptions& options, Cell& cell);
+// A copy of `question` with results for each number of threads. All methods are measured in turn, round after round,
+// each round beginning with another method. With `with_scalar`, the first cell has the scalar kernel too, in the first
+// round only: it knows no instruction sets, and takes long. Leaves the cell's instruction set forced.
+std::vector<Cell> measure(const CellInput& input, const MeasureOptions& options, const Cell& question,
+                          bool with_scalar);
 
 }  // namespace lkao::bench

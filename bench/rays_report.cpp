@@ -1,90 +1,137 @@
 #include "rays_report.h"
 
 #include <algorithm>
-#include <cmath>
+#include <functional>
+#include <iterator>
+#include <set>
 
 #include <fmt/format.h>
+
+#include "geometric_mean.h"
 
 namespace lkao::bench {
 namespace {
 
-double ratio(const MethodResult& a, const MethodResult& b) { return a.mrays_per_second / b.mrays_per_second; }
+using Cells = std::vector<Cell>;
 
-double ratio_best(const Cell& cell) { return ratio(cell.simd(), cell.best_embree()); }
-double ratio_occluded1(const Cell& cell) { return ratio(cell.simd(), cell.occluded1()); }
-double mismatch_rate(const Cell& cell) { return cell.simd().mismatch_rate; }
+double ratio_best(const Cell& cell) { return speed_ratio(cell.simd(), cell.best_embree()); }
+double ratio_single(const Cell& cell) { return speed_ratio(cell.single(), cell.best_embree()); }
+double ratio_occluded1(const Cell& cell) { return speed_ratio(cell.simd(), cell.occluded1()); }
 
-template <typename Value>
-double geometric_mean(const std::vector<Cell>& cells, const Value& value) {
-  double sum = 0;
-  for (const Cell& cell : cells) sum += std::log(value(cell));
-  return std::exp(sum / static_cast<double>(cells.size()));
+double mismatch_rate(const Cell& cell) { return std::max(cell.simd().mismatch_rate, cell.single().mismatch_rate); }
+
+template <typename Test>
+Cells select(const Cells& cells, const Test& test) {
+  Cells chosen;
+  std::copy_if(cells.begin(), cells.end(), std::back_inserter(chosen), test);
+  return chosen;
 }
 
-template <typename Value>
-const Cell& smallest(const std::vector<Cell>& cells, const Value& value) {
-  return *std::min_element(cells.begin(), cells.end(),
-                           [&](const Cell& a, const Cell& b) { return value(a) < value(b); });
+double mean(const Cells& cells, const std::function<double(const Cell&)>& value) {
+  std::vector<double> values;
+  for (const Cell& cell : cells) values.push_back(value(cell));
+  return geometric_mean(values);
 }
 
-std::string place(const Cell& cell) {
-  return fmt::format("{}, radius {:g}, {} rays", cell.scene, cell.radius, cell.ray_count);
+bool is_slower(const Cell& a, const Cell& b) { return ratio_best(a) < ratio_best(b); }
+
+std::string named_ratio(const Cell& cell) {
+  return fmt::format("{:.2f} ({}, radius {:g}, {} rays)", ratio_best(cell), cell.scene, cell.radius, cell.ray_count);
 }
 
-// How fast the other instruction sets are.
-std::string compare_isas(const std::vector<Cell>& cells) {
-  const std::vector<std::string>& isas = cells.front().isas;
-  std::string text;
-  for (std::size_t i = 1; i < isas.size(); ++i) {  // results begin with these
-    const double share = geometric_mean(cells, [&](const Cell& cell) { return ratio(cell.results[i], cell.simd()); });
-    text += fmt::format("{}{} {:.2f}", i > 1 ? ", " : "", isas[i], share);
+// Cells of one instruction set and number of threads.
+std::string summary_row(const Cells& cells) {
+  const Cell& some = cells.front();
+  const double most_wrong = mismatch_rate(*std::max_element(
+      cells.begin(), cells.end(), [](const Cell& a, const Cell& b) { return mismatch_rate(a) < mismatch_rate(b); }));
+  return fmt::format("{:>8} {:3} {:5} | {:6.2f} {:8.2f} {:11.2f} | {:8.2g} | {:44} | {}\n", some.isa.name,
+                     some.thread_count, cells.size(), mean(cells, ratio_best), mean(cells, ratio_single),
+                     mean(cells, ratio_occluded1), most_wrong,
+                     named_ratio(*std::min_element(cells.begin(), cells.end(), is_slower)),
+                     named_ratio(*std::max_element(cells.begin(), cells.end(), is_slower)));
+}
+
+std::vector<std::string> isas_of(const Cells& cells) {  // in the order of the cells
+  std::vector<std::string> names;
+  for (const Cell& cell : cells) {
+    if (std::find(names.begin(), names.end(), cell.isa.name) == names.end()) names.push_back(cell.isa.name);
   }
-  return text.empty() ? "" : fmt::format("Speed of other instruction sets relative to {}: {}\n", isas[0], text);
+  return names;
+}
+
+std::set<int> thread_counts_of(const Cells& cells) {
+  std::set<int> counts;
+  for (const Cell& cell : cells) counts.insert(cell.thread_count);
+  return counts;
+}
+
+Cells cells_of(const Cells& cells, const std::string& isa, int thread_count) {
+  return select(cells, [&](const Cell& cell) { return cell.isa.name == isa && cell.thread_count == thread_count; });
+}
+
+std::string group_summary(const std::string& name, const Cells& cells) {
+  if (cells.empty()) return {};
+  std::string text =
+      fmt::format("\nGeometric mean of {} cells:\n{:>8} {:>3} {:>5} | {:>6} {:>8} {:>11} | {:>8} | {:44} | {}\n", name,
+                  "isa", "thr", "cells", "x best", "x single", "x Occluded1", "mismatch", "worst cell", "best cell");
+  for (const std::string& isa : isas_of(cells)) {
+    for (const int count : thread_counts_of(cells)) text += summary_row(cells_of(cells, isa, count));
+  }
+  return text;
+}
+
+// Of two lists of the same cells, on few threads and on many.
+double thread_speed_up(const Cells& few, const Cells& many, const MethodResult& (*method)(const Cell&)) {
+  std::vector<double> ratios;
+  for (std::size_t i = 0; i < few.size(); ++i) {
+    ratios.push_back(method(many[i]).mrays_per_second / method(few[i]).mrays_per_second);
+  }
+  return geometric_mean(ratios);
+}
+
+std::string thread_summary(const Cells& cells) {
+  const std::set<int> counts = thread_counts_of(cells);
+  std::string text;
+  for (const std::string& isa : isas_of(cells)) {
+    const Cells few = cells_of(cells, isa, *counts.begin());
+    for (auto count = std::next(counts.begin()); count != counts.end(); ++count) {
+      const Cells many = cells_of(cells, isa, *count);
+      const auto speed_up = [&](auto method) { return thread_speed_up(few, many, method); };
+      text +=
+          fmt::format("{:>8}: {} threads against {}: lkao {:.2f} x, single queries {:.2f} x, best of Embree {:.2f} x\n",
+                      isa, *count, *counts.begin(), speed_up([](const Cell& c) -> auto& { return c.simd(); }),
+                      speed_up([](const Cell& c) -> auto& { return c.single(); }),
+                      speed_up([](const Cell& c) -> auto& { return c.best_embree(); }));
+    }
+  }
+  return text.empty() ? text : "\nSpeed-up of threads, geometric mean of all cells:\n" + text;
 }
 
 }  // namespace
 
-std::string rays_csv_heading() {
-  return "scene,radius,samples,isa,method,mrays_per_second,best_embree_mode,best_embree_mrays,occluded1_mrays,"
-         "ratio_best,ratio_occluded1,ray_mismatch_rate\n";
-}
-
-std::string rays_csv_rows(const Cell& cell) {
-  const MethodResult& best = cell.best_embree();
-  const MethodResult& occluded1 = cell.occluded1();
-  std::string rows;
-  for (const MethodResult& result : cell.results) {
-    rows += fmt::format("{},{:g},{},{},{},{:.6g},{},{:.6g},{:.6g},{:.5g},{:.5g},{:.4g}\n", cell.scene, cell.radius,
-                        cell.ray_count, result.isa, result.method, result.mrays_per_second, best.method,
-                        best.mrays_per_second, occluded1.mrays_per_second, ratio(result, best),
-                        ratio(result, occluded1), result.mismatch_rate);
-  }
-  return rows;
-}
-
 std::string rays_table_heading() {
-  return fmt::format("{:16} {:>8} {:>5} {:>8} | {:>8} {:>8} | {:28} {:>8} | {:>6} {:>8} | {:>9}\n", "scene", "radius",
-                     "rays", "isa", "lkao", "scalar", "best of Embree", "Mrays/s", "x best", "x single", "mismatch");
+  return fmt::format("{:16} {:>8} {:>5} {:>8} {:>3} | {:>8} {:>8} {:>8} | {:28} {:>8} | {:>6} {:>8} {:>11} | {:>8}\n",
+                     "scene", "radius", "rays", "isa", "thr", "lkao", "single", "scalar", "best of Embree", "Mrays/s",
+                     "x best", "x single", "x Occluded1", "mismatch");
 }
 
 std::string rays_table_row(const Cell& cell) {
   const MethodResult& best = cell.best_embree();
-  return fmt::format("{:16} {:8g} {:5} {:>8} | {:8.2f} {:8.2f} | {:28} {:8.2f} | {:6.2f} {:8.2f} | {:9.2g}\n",
-                     cell.scene, cell.radius, cell.ray_count, cell.simd().isa, cell.simd().mrays_per_second,
-                     cell.scalar().mrays_per_second, best.method, best.mrays_per_second, ratio_best(cell),
-                     ratio_occluded1(cell), mismatch_rate(cell));
+  const MethodResult* scalar = cell.scalar();
+  return fmt::format(
+      "{:16} {:>8g} {:5} {:>8} {:3} | {:8.2f} {:8.2f} {:>8} | {:28} {:8.2f} | {:6.2f} {:8.2f} {:11.2f} | {:8.2g}\n",
+      cell.scene, cell.radius, cell.ray_count, cell.isa.name, cell.thread_count, cell.simd().mrays_per_second,
+      cell.single().mrays_per_second, scalar != nullptr ? fmt::format("{:.2f}", scalar->mrays_per_second) : "",
+      best.method, best.mrays_per_second, ratio_best(cell), ratio_single(cell), ratio_occluded1(cell),
+      mismatch_rate(cell));
 }
 
 std::string rays_summary(const std::vector<Cell>& cells) {
-  const Cell& worst = smallest(cells, ratio_best);
-  const Cell& most_wrong = smallest(cells, [](const Cell& cell) { return -mismatch_rate(cell); });
-  return fmt::format(
-      "\nGeometric mean of {} cells: {:.2f} x Embree's best mode, {:.2f} x rtcOccluded1\n"
-      "Worst cell: {:.2f} x ({})\n"
-      "Largest mismatch rate with robust Embree: {:.2g} ({})\n"
-      "{}",
-      cells.size(), geometric_mean(cells, ratio_best), geometric_mean(cells, ratio_occluded1), ratio_best(worst),
-      place(worst), mismatch_rate(most_wrong), place(most_wrong), compare_isas(cells));
+  std::string text;
+  for (const std::string group : {kBounded, kUnbounded}) {
+    text += group_summary(group, select(cells, [&](const Cell& cell) { return cell.group == group; }));
+  }
+  return text + group_summary("all", cells) + thread_summary(cells);
 }
 
 }  // namespace lkao::bench

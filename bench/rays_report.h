@@ -1,4 +1,4 @@
-// What a speed comparison prints and writes.
+// What a speed comparison prints.
 #pragma once
 
 #include <string>
@@ -8,13 +8,12 @@
 
 namespace lkao::bench {
 
-std::string rays_csv_heading();
-// A row for every method. The columns of Embree's best mode and of rtcOccluded1 are the cell's own in each of them.
-std::string rays_csv_rows(const Cell& cell);
-
 std::string rays_table_heading();
 std::string rays_table_row(const Cell& cell);
-// Geometric means of the SIMD kernel's ratios, the worst cell and the largest mismatch rate. `cells` is not empty.
+
+// Of bounded cells, of unbounded ones and of all, a line for each instruction set and number of threads: the geometric
+// mean of the ratios, the worst and the best cell, the largest mismatch rate. Then how much faster more threads are.
+// `cells` is not empty.
 std::string rays_summary(const std::vector<Cell>& cells);
 
 }  // namespace lkao::bench

@@ -26,9 +26,26 @@ StudyScene load_builtin(const std::string& name, const StudySceneOptions& option
                  options.width, options.height);
 }
 
+std::filesystem::path mesh_path(const json& view, const StudySceneOptions& options) {
+  return std::filesystem::path(options.views).parent_path() / view.at("file").get<std::string>();
+}
+
 scene::Mesh load_mesh(const json& view, const StudySceneOptions& options) {
-  const std::filesystem::path folder = std::filesystem::path(options.views).parent_path();
-  return scene::load((folder / view.at("file").get<std::string>()).string());
+  return scene::load(mesh_path(view, options).string());
+}
+
+// Files and radii of a scene; cameras are looked at when the mesh is there.
+void check_view(const json& view, const StudySceneOptions& options) {
+  const std::string path = mesh_path(view, options).string();
+  if (!std::ifstream(path)) throw std::runtime_error(fmt::format("{}: cannot be read", path));
+  const auto radii = view.at("radii").get<std::vector<float>>();
+  const std::string name = view.at("name");
+  if (radii.empty()) throw std::runtime_error(fmt::format("{}: {} has no radii", options.views, name));
+  for (const float radius : radii) {
+    if (radius > 0 && radius <= kMaxStudyRadius) continue;
+    throw std::runtime_error(fmt::format("{}: radii of {} must be above 0 and at most {:g}, not {:g}", options.views,
+                                         name, kMaxStudyRadius, radius));
+  }
 }
 
 StudyScene load_view(const json& view, const StudySceneOptions& options) {
@@ -92,7 +109,11 @@ StudyScene look_at(std::string name, scene::Mesh mesh, std::vector<float> radii,
 
 std::vector<std::string> study_scene_names(const StudySceneOptions& options) {
   if (!options.views.empty()) {
-    return read_views(options.views, [&](const json& views) { return chosen_names(views, options); });
+    return read_views(options.views, [&](const json& views) {
+      const std::vector<std::string> names = chosen_names(views, options);
+      for (const std::string& name : names) check_view(view_of(name, views), options);
+      return names;
+    });
   }
   if (options.names.empty()) return {"atrium", "city"};
   for (const std::string& name : options.names) scene::builtin_scene(name);  // throws where there is none

@@ -10,6 +10,9 @@
 
 namespace lkao::bench {
 
+// The longest AO radius that is not infinite.
+inline constexpr float kMaxStudyRadius = 1e18f;
+
 struct StudyScene {
   std::string name;
   scene::Mesh mesh;
@@ -41,7 +44,8 @@ StudyScene load_study_scene(const std::string& name, const StudySceneOptions& op
 // The mesh alone of one of them. Errors as above.
 scene::Mesh load_study_mesh(const std::string& name, const StudySceneOptions& options);
 
-// What load_study_scenes loads, by name. Errors as above.
+// What load_study_scenes loads, by name. Errors as above, also those of radii and missing files: hours before a study
+// gets to them.
 std::vector<std::string> study_scene_names(const StudySceneOptions& options);
 
 }  // namespace lkao::bench
