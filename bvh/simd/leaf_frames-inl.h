@@ -44,43 +44,33 @@ struct LeafReceiver {
   float radius_rounding;  // of single precision
 };
 
-// As many leaves as a vector has room for the triangles of, and numbers of one ray for each.
-inline constexpr int kLeavesAtOnce = static_cast<int>(hn::MaxLanes(RayTag())) / kLeafWidth;
+// Leaves that are answered at once, and numbers of one ray for each. Vectors of 16 lanes would hold 4, but filling them
+// costs more than it saves.
+inline constexpr int kLeavesAtOnce = hn::MaxLanes(RayTag()) >= 2 * kLeafWidth ? 2 : 1;
 template <int kCount>
 using LeafTag = hn::CappedTag<float, kCount * kLeafWidth>;
 
 // A row of each leaf, side by side.
-HWY_INLINE hn::Vec<LeafTag<1>> load_rows(const float* const (&rows)[1]) { return hn::Load(LeafTag<1>(), rows[0]); }
-#if HWY_TARGET <= HWY_AVX3  // Highway's blends cost an instruction more for each row
-HWY_INLINE hn::Vec<LeafTag<4>> load_rows(const float* const (&rows)[4]) {
-  __m512 lanes = _mm512_castps128_ps512(_mm_load_ps(rows[0]));
-  lanes = _mm512_insertf32x4(lanes, _mm_load_ps(rows[1]), 1);
-  lanes = _mm512_insertf32x4(lanes, _mm_load_ps(rows[2]), 2);
-  return hn::Vec<LeafTag<4>>{_mm512_insertf32x4(lanes, _mm_load_ps(rows[3]), 3)};
+template <int kCount>
+HWY_INLINE hn::Vec<LeafTag<kCount>> load_rows(const float* const (&rows)[kCount]) {
+  const LeafTag<1> one;
+  if constexpr (kCount == 1) {
+    return hn::Load(one, rows[0]);
+  } else {
+    return hn::Combine(LeafTag<2>(), hn::Load(one, rows[1]), hn::Load(one, rows[0]));
+  }
 }
-#elif HWY_MAX_BYTES >= 32
-HWY_INLINE hn::Vec<LeafTag<2>> load_rows(const float* const (&rows)[2]) {
-  const LeafTag<1> half;
-  return hn::Combine(LeafTag<2>(), hn::Load(half, rows[1]), hn::Load(half, rows[0]));
-}
-#endif
 
 // values[rays[i]] for all triangles of leaf i.
-HWY_INLINE hn::Vec<LeafTag<1>> spread(const float* values, const std::uint32_t (&rays)[1]) {
-  return hn::Set(LeafTag<1>(), values[rays[0]]);
+template <int kCount>
+HWY_INLINE hn::Vec<LeafTag<kCount>> spread(const float* values, const std::uint32_t (&rays)[kCount]) {
+  const LeafTag<1> one;
+  if constexpr (kCount == 1) {
+    return hn::Set(one, values[rays[0]]);
+  } else {
+    return hn::Combine(LeafTag<2>(), hn::Set(one, values[rays[1]]), hn::Set(one, values[rays[0]]));
+  }
 }
-#if HWY_TARGET <= HWY_AVX3
-HWY_INLINE hn::Vec<LeafTag<4>> spread(const float* values, const std::uint32_t (&rays)[4]) {
-  const __m128 four = _mm_setr_ps(values[rays[0]], values[rays[1]], values[rays[2]], values[rays[3]]);
-  const __m512i places = _mm512_setr_epi32(0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3);
-  return hn::Vec<LeafTag<4>>{_mm512_permutexvar_ps(places, _mm512_castps128_ps512(four))};
-}
-#elif HWY_MAX_BYTES >= 32
-HWY_INLINE hn::Vec<LeafTag<2>> spread(const float* values, const std::uint32_t (&rays)[2]) {
-  const LeafTag<1> half;
-  return hn::Combine(LeafTag<2>(), hn::Set(half, values[rays[1]]), hn::Set(half, values[rays[0]]));
-}
-#endif
 
 // The triangles of one leaf or several as one receiver sees them, in single precision.
 //

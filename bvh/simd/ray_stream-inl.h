@@ -173,21 +173,10 @@ class RayStream {
     for (int offset = 0; offset < 256; offset += 64) hwy::Prefetch(static_cast<const std::uint8_t*>(item) + offset);
   }
 
-  // Nodes whose 8 boxes fit a vector side by side.
-  static constexpr int kNodesAtOnce = hn::MaxLanes(RayTag()) == 2 * kWidth ? 2 : 1;
-
   HWY_INLINE void visit_nodes(const Batch& batch) {
-    const Node* const nodes = layout_.nodes.data();
     int count = pairs_.count;
-    for (int k = 0; k < batch.count; k += kNodesAtOnce) {
-      if constexpr (kNodesAtOnce == 2) {
-        const bool has_second = k + 1 < batch.count;
-        const int second = k + has_second;
-        count = visit_two_nodes(nodes[batch.nodes[k]], nodes[batch.nodes[second]], batch.rays[k], batch.rays[second],
-                                has_second, count);
-      } else {
-        count = visit_node(nodes[batch.nodes[k]], batch.rays[k], count);
-      }
+    for (int k = 0; k < batch.count; ++k) {
+      count = visit_node(layout_.nodes[batch.nodes[k]], batch.rays[k], count);
     }
     pairs_.count = count;
   }
@@ -214,44 +203,6 @@ class RayStream {
       count += store_packed(bits_tag, hn::Load(bits_tag, node.child_bits() + i), met, pairs_.children + count);
     }
     return count;
-  }
-
-  // The same for a node and a ray each in the lower and the upper half of a vector.
-  HWY_INLINE int visit_two_nodes(const Node& a, const Node& b, std::uint32_t ray_a, std::uint32_t ray_b,
-                                 bool has_second, int count) {
-    const RayTag tag;
-    const hn::RebindToUnsigned<RayTag> bits_tag;
-    const hn::Half<RayTag> half;
-    const auto lower = hn::FirstN(tag, kWidth);
-    const auto bits_lower = hn::FirstN(bits_tag, kWidth);
-    const glm::vec3& origin = query_.rays.origin;
-    const float* const inverses[] = {rays_.inverse_x, rays_.inverse_y, rays_.inverse_z};
-    auto enter = parts_.begin_of_one(tag, ray_b), leave = parts_.end_of_one(tag, ray_b);
-    if constexpr (Parts::kHasParts) {
-      enter = hn::IfThenElse(lower, parts_.begin_of_one(tag, ray_a), enter);
-      leave = hn::IfThenElse(lower, parts_.end_of_one(tag, ray_a), leave);
-    }
-    for (int axis = 0; axis < 3; ++axis) {
-      const float inverse_a = inverses[axis][ray_a], inverse_b = inverses[axis][ray_b];
-      const std::uint32_t down_a = sign_of(inverse_a), down_b = sign_of(inverse_b);
-      const auto from = hn::Set(tag, origin[axis]);
-      const auto by = hn::IfThenElse(lower, hn::Set(tag, inverse_a), hn::Set(tag, inverse_b));
-      const auto at = [&](std::uint32_t face_a, std::uint32_t face_b) HWY_ATTR {
-        const auto faces =
-            hn::Combine(tag, hn::Load(half, b.faces[face_b][axis]), hn::Load(half, a.faces[face_a][axis]));
-        return hn::Mul(hn::Sub(faces, from), by);
-      };
-      enter = hn::Max(enter, at(down_a, down_b));
-      leave = hn::Min(leave, at(1 - down_a, 1 - down_b));
-    }
-    auto met = hn::RebindMask(bits_tag, hn::Le(enter, hn::Mul(leave, hn::Set(tag, 1.0f + kBoxSlack))));
-    if (!has_second) met = hn::And(met, bits_lower);
-    const hn::Half<decltype(bits_tag)> bits_half;
-    const auto children =
-        hn::Combine(bits_tag, hn::Load(bits_half, b.child_bits()), hn::Load(bits_half, a.child_bits()));
-    const auto rays = hn::IfThenElse(bits_lower, hn::Set(bits_tag, ray_a), hn::Set(bits_tag, ray_b));
-    store_packed(bits_tag, rays, met, pairs_.rays + count);
-    return count + store_packed(bits_tag, children, met, pairs_.children + count);
   }
 
   static HWY_INLINE std::uint32_t sign_of(float value) { return std::bit_cast<std::uint32_t>(value) >> 31; }
