@@ -19,7 +19,8 @@ void require(bool condition, const char* option, const char* range, double value
 }
 
 void validate(const DrawOptions& options) {
-  require(options.radius > 0 && options.radius <= 1e18f, "radius", "greater than 0 and at most 1e18", options.radius);
+  require(options.radius > 0 && (options.radius <= 1e18f || std::isinf(options.radius)), "radius",
+          "greater than 0 and at most 1e18, or infinity", options.radius);
   require(options.rotation >= 0 && options.rotation <= 1, "rotation", "in [0, 1] turns", options.rotation);
   require(options.tilt >= 0 && options.tilt <= 0.5f * std::numbers::pi_v<float>, "tilt", "in [0, pi/2] radians",
           options.tilt);
@@ -75,6 +76,9 @@ void OcclusionPass::draw(const GBuffer& g_buffer, const Camera& camera, const Dr
   validate(options);
   validate(g_buffer);
   if (!state_->table) throw std::runtime_error("draw() needs a plane mask table: call set_table() first");
+  if (std::isinf(options.radius) && !state_->table->has_full_lengths()) {
+    throw std::invalid_argument("radius must be finite, not inf, for a plane mask table of rays of several lengths");
+  }
   const StateKeeper keeper;
   state_->is_drawn = false;
   const int layer_count = state_->table->layer_count();
@@ -88,8 +92,10 @@ void OcclusionPass::draw(const GBuffer& g_buffer, const Camera& camera, const Dr
   if (state_->occluders.has_ranges()) state_->table->add_directions();
   state_->set_uniforms(g_buffer, camera, options);
   state_->bind_uniforms();
-  state_->occluders.classify(state_->classify.name(), options.two_sided);
+  state_->unbounded_radius.begin();
+  state_->classify_occluders();
   state_->find_receivers();
+  state_->find_radius();
   state_->draw_depths();
   state_->draw_shapes(camera);
   state_->drop_rays_not_cast();

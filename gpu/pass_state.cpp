@@ -1,6 +1,7 @@
 #include "gpu/pass_state.h"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "gpu/g_buffer.h"
@@ -53,11 +54,14 @@ void OcclusionPass::State::wait_for_last_frame() const {
 
 void OcclusionPass::State::set_uniforms(const GBuffer& g_buffer, const Camera& camera, const DrawOptions& options) {
   uniforms = PassUniforms();
-  uniforms.flags.x = flags_of(options) | (occluders.has_ranges() ? LKAO_FLAG_RANGES : 0u);
-  set_view(camera, g_buffer.width, g_buffer.height, options.radius, uniforms);
+  uniforms.flags.x = flags_of(options) | (occluders.has_ranges() ? LKAO_FLAG_RANGES : 0u) |
+                     (std::isinf(options.radius) ? LKAO_FLAG_UNBOUNDED : 0u);
+  // Any radius will do until find_radius() knows.
+  const float radius = std::isinf(options.radius) ? 1.0f : options.radius;
+  set_view(camera, g_buffer.width, g_buffer.height, radius, uniforms);
   bind(g_buffer, camera, uniforms);
   table->set_uniforms(uniforms);
-  uniforms.lengths.x = options.radius;
+  uniforms.lengths.x = radius;
   uniforms.lengths.y = options.billboard_threshold;
   uniforms.lengths.z = options.surface_offset * 0x1p-24f;
   // Never more tilt than would bring the lowest ray to the horizon, as the CPU's query has it.
@@ -81,12 +85,24 @@ void OcclusionPass::State::dispatch_over_pixels() const {
   glDispatchCompute(static_cast<GLuint>((targets.width() + 7) / 8), static_cast<GLuint>((targets.height() + 7) / 8), 1);
 }
 
+void OcclusionPass::State::classify_occluders() {
+  occluders.classify(classify.name(), (uniforms.flags.x & LKAO_FLAG_TWO_SIDED) != 0);
+}
+
 void OcclusionPass::State::find_receivers() {
   glUseProgram(receivers.name());
   glBindImageTexture(0, targets.receivers(), 0, GL_TRUE, 0, GL_WRITE_ONLY, GL_RGBA32F);
   dispatch_over_pixels();
   glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
   glBindTextureUnit(LKAO_UNIT_RECEIVERS, targets.receivers());
+}
+
+// Receivers start at a distance from the surface that classifying finds, and shapes need the radius, which the
+// receivers tell: so triangles are classified twice. That is nothing beside shapes as large as the scene.
+void OcclusionPass::State::find_radius() {
+  if ((uniforms.flags.x & LKAO_FLAG_UNBOUNDED) == 0) return;
+  unbounded_radius.put_into(uniform_buffer.name(), (uniforms.flags.x & LKAO_FLAG_PERSPECTIVE) != 0);
+  classify_occluders();
 }
 
 void OcclusionPass::State::draw_depths() {

@@ -9,6 +9,7 @@
 #include "gpu/shapes.h"
 #include "gpu/table_buffer.h"
 #include "gpu/targets.h"
+#include "gpu/unbounded_radius.h"
 #include "lkao/gl.h"
 
 namespace lkao::gl {
@@ -19,7 +20,10 @@ struct OcclusionPass::State {
   // The steps of a frame, in their order.
   void wait_for_last_frame() const;
   void set_uniforms(const GBuffer& g_buffer, const Camera& camera, const DrawOptions& options);
+  void classify_occluders();
   void find_receivers();
+  // Only for an infinite radius: finds one that stands for it, and classifies the occluders again.
+  void find_radius();
   void draw_depths();
   void draw_shapes(const Camera& camera);
   void drop_rays_not_cast();
@@ -32,6 +36,7 @@ struct OcclusionPass::State {
 
   PassSetup setup;  // nothing in it is automatic
   Occluders occluders;
+  UnboundedRadius unbounded_radius;
   std::optional<TableBuffer> table;
   Targets targets;
   PassUniforms uniforms;  // of the last draw()

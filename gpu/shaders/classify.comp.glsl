@@ -5,6 +5,7 @@
 // Based on: S. Laine, T. Karras, "Two Methods for Fast Ray-Cast Ambient Occlusion", EGSR 2010, Sec. 4.1.
 #include "pass.glsl"
 #include "range.glsl"
+#include "extent.glsl"
 
 layout(local_size_x = LKAO_GROUP_SIZE) in;
 
@@ -57,6 +58,11 @@ void main() {
   dvec3 area = area_vector(a, b, c);
   if (area == dvec3(0.0lf)) return;
   atomicMax(largest_bits, floatBitsToUint(max(largest.x, max(largest.y, largest.z))));
+  if (has_flag(LKAO_FLAG_UNBOUNDED)) {
+    include_point(kOccluders, a);
+    include_point(kOccluders, b);
+    include_point(kOccluders, c);
+  }
 
   vec2 range = range_of(triangle);
   if (range.x >= ao_radius()) return;  // no ray is that long

@@ -25,6 +25,7 @@
 #define LKAO_STORAGE_BILLBOARDS 2
 #define LKAO_STORAGE_FRAMES 3
 #define LKAO_STORAGE_LARGEST 4
+#define LKAO_STORAGE_EXTENT 5
 #define LKAO_STORAGE_MASKS 0  // and up to seven more: 128 rays each
 #define LKAO_STORAGE_COUNT 8
 
@@ -72,5 +73,6 @@
 #define LKAO_FLAG_WRITE_BENT_NORMALS 16384u
 #define LKAO_FLAG_CULL_REACH 32768u
 #define LKAO_FLAG_RANGES 65536u
+#define LKAO_FLAG_UNBOUNDED 131072u  // the AO radius is infinite
 
 #endif

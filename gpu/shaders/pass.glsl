@@ -8,7 +8,7 @@ layout(std140, binding = 0) uniform Pass {
   vec4 eye;                 // perspective: the eye; orthographic: the direction of view
   vec4 normal_to_world[3];  // columns
   vec4 depth_map;           // see depth.glsl
-  vec4 lengths;             // AO radius, threshold alpha, surface offset x 2^-24, size of a pixel (at distance 1)
+  vec4 lengths;             // AO radius (see extent.glsl), threshold alpha, surface offset x 2^-24, size of a pixel (at distance 1)
   vec4 jitter;              // rotation in turns, largest tilt in radians; what resolve() writes without a receiver
   ivec4 extent;             // width, height, unused, LKAO_PLACE_*
   uvec4 flags;              // LKAO_FLAG_*, ray count, seed as mix_bits(seed): low and high

@@ -3,6 +3,7 @@
 // it (query::make_rays), in the same precision.
 #include "pass.glsl"
 #include "frame.glsl"
+#include "extent.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
@@ -78,6 +79,7 @@ void main() {
   float largest = texelFetch(largest_coordinate, 0).x;
   precise float offset = pass.lengths.z * max(largest_component(position), largest);
   precise vec3 origin = position + up * offset;
+  if (has_flag(LKAO_FLAG_UNBOUNDED)) include_point(kOrigins, origin);
   uint index = uint(pixel.y) * uint(pass.extent.x) + uint(pixel.x);
   // Minus zero counts as pointing down, as it does for std::copysign.
   dvec3 axis = unit(normal);

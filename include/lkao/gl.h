@@ -125,7 +125,10 @@ struct Culls {
 // Of one frame. The first six mean what they mean to the CPU's query (QueryOptions): with the same values, the receiver
 // of pixel (x, y) casts the rays of index y * width + x.
 struct DrawOptions {
-  float radius = 0;        // AO radius, > 0 and at most 1e18
+  // AO radius, > 0 and at most 1e18; or infinity, with a table of rays of one length: rays go beyond all occluders. The
+  // pass then finds on the GPU, in every frame, a power of two beyond the largest distance between the bounds of
+  // occluders and pixels, and less than four times that. Every shape covers all receivers, so such a frame is slow.
+  float radius = 0;
   bool two_sided = true;   // false: triangles block rays only of receivers in front of them
   float rotation = 1.0f;   // jitter about the normal, in [0, 1] turns
   float tilt = 0.0f;       // jitter of the axis, in [0, pi/2] radians
@@ -224,7 +227,8 @@ class OcclusionPass {
   // `must_may` exact ones.
   void set_table(const PlaneMaskTable& table);
 
-  // Finds the masks. Needs a table; without occluders all masks are empty.
+  // Finds the masks. Needs a table; without occluders all masks are empty. Throws std::invalid_argument also for an
+  // infinite radius where the table's rays are not all as long as the AO radius.
   void draw(const GBuffer& g_buffer, const Camera& camera, const DrawOptions& options);
 
   // The following are about the last draw(), and throw std::runtime_error where there was none.

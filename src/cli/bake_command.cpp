@@ -118,6 +118,7 @@ void bake(const BakeOptions& options) {
   if (ending_of(options.output) != ".ply") {
     throw std::invalid_argument(fmt::format("--output: expected a name ending in .ply, got '{}'", options.output));
   }
+  check_radius(options.occlusion, false);
   OutputFiles outputs({options.scene});
   const std::string mesh_path = outputs.claim(options.output);
   const JsonOutput json(options.common.json_path, outputs);

@@ -50,7 +50,7 @@ LodOption parse_lod(const std::string& text) {
 lod::Chain make_chain(const LodOption& option, const scene::Mesh& mesh, float radius, ProgressBar& progress) {
   if (option.file.empty()) {
     lod::LevelRule rule = option.rule;
-    if (rule.epsilon == 0) rule.epsilon = lod::automatic_epsilon(radius, rule);
+    if (rule.epsilon == 0) rule.epsilon = lod::automatic_epsilon(mesh, radius, rule);
     return simplify_watched(mesh, rule, progress).chain;
   }
   progress.begin("loading " + option.file);

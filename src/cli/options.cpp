@@ -1,5 +1,9 @@
 #include "cli/options.h"
 
+#include <cmath>
+
+#include <fmt/format.h>
+
 #include "cli/parse.h"
 
 namespace lkao::cli {
@@ -33,8 +37,10 @@ void add_common_options(CLI::App& app, CommonOptions& options) {
 }
 
 void add_occlusion_options(CLI::App& app, OcclusionOptions& options) {
-  add_parsed(app, "--radius", options.radius, parse_positive_number,
-             "AO radius: length of the longest ray, in the scene's unit (required)")
+  add_parsed(
+      app, "--radius", options.radius, parse_radius,
+      "AO radius: length of the longest ray, in the scene's unit; or inf, then rays go beyond the scene, and JSON "
+      "says null (required)")
       ->type_name("R");
   add_parsed(app, "--samples", options.ray_count, parse_ray_count,
              "Rays a receiver: a multiple of 64 from 64 to 1024 (default: 128)")
@@ -61,6 +67,15 @@ void add_occlusion_options(CLI::App& app, OcclusionOptions& options) {
 SamplePattern make_pattern(const OcclusionOptions& options) {
   const SamplePattern& pattern = SamplePattern::standard(options.ray_count);
   return options.falloff.name() == "constant" ? pattern : pattern.with_falloff(options.falloff);
+}
+
+void check_radius(const OcclusionOptions& options, bool is_drawn) {
+  if (!options.radius || !std::isinf(*options.radius) || options.falloff.name() == "constant") return;
+  const KernelChoice kernel = options.kernel.value_or(KernelChoice::simd);
+  if (!is_drawn && kernel != KernelChoice::table && kernel != KernelChoice::nearest) return;
+  throw std::invalid_argument(
+      fmt::format("--radius inf with --falloff {} is not for {}, whose table needs rays of one length",
+                  options.falloff.name(), is_drawn ? "--method raster" : fmt::format("--kernel {}", name_of(kernel))));
 }
 
 float radius_of(const OcclusionOptions& options) { return static_cast<float>(options.radius.value()); }

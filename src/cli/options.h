@@ -47,7 +47,7 @@ std::string_view name_of(KernelChoice kernel);
 
 // What to ask of every receiver; on `render` and `bake`.
 struct OcclusionOptions {
-  std::optional<double> radius;
+  std::optional<double> radius;  // perhaps infinite
   int ray_count = 128;
   Falloff falloff = Falloff::constant();
   Sidedness sidedness = Sidedness::two_sided;
@@ -55,6 +55,10 @@ struct OcclusionOptions {
   std::optional<KernelChoice> kernel;  // simd where not given
 };
 void add_occlusion_options(CLI::App& app, OcclusionOptions& options);
+
+// Throws std::invalid_argument where the radius is infinite, rays are of several lengths, and what answers is the
+// rasterised method or a kernel of look-ups: tables have all lengths as shares of the radius.
+void check_radius(const OcclusionOptions& options, bool is_drawn);
 
 // The AO radius, which must be given by now.
 float radius_of(const OcclusionOptions& options);

@@ -53,6 +53,14 @@ double parse_positive_number(const std::string& text) {
   return *number;
 }
 
+double parse_radius(const std::string& text) {
+  const std::optional<double> number = read<double>(text);
+  if (number && std::isinf(*number) && *number > 0) return *number;
+  const std::optional<double> length = read_finite(text);
+  if (!length || !(static_cast<float>(*length) > 0)) reject("a length above 0, or inf", text);
+  return *length;
+}
+
 double parse_non_negative_number(const std::string& text) {
   const std::optional<double> number = read_finite(text);
   if (!number || *number < 0) reject("a finite number of at least 0", text);

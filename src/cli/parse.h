@@ -30,6 +30,8 @@ struct Size {
 double parse_number(const std::string& text);
 // As parse_number, and above 0, also as a float.
 double parse_positive_number(const std::string& text);
+// An AO radius: as parse_positive_number, or "inf" or "infinity".
+double parse_radius(const std::string& text);
 // As parse_number, and >= 0.
 double parse_non_negative_number(const std::string& text);
 // A horizontal field of view in degrees, inside (0, 180).

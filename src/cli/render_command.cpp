@@ -114,6 +114,7 @@ void check_options(const RenderOptions& options) {
     throw std::invalid_argument(fmt::format("--preview: expected a name ending in .png, got '{}'", options.preview));
   }
   check_method(options.rendering);
+  check_radius(options.rendering.occlusion, options.rendering.method == Method::raster);
   check_lod(options.rendering);
   const CameraOptions& camera = options.rendering.camera;
   if (camera.eye && camera.target && *camera.eye == *camera.target) {
@@ -173,7 +174,8 @@ void add_options(CLI::App& app, RenderOptions& options) {
   add_parsed(
       app, "--lod", rendering.lod, parse_lod,
       "Simplified occluders where only distance sees them: k=3,levels=4,epsilon=E,growth=3, any of them left out "
-      "(epsilon: from the radius), or a file of lkao simplify. With --reference: against the whole scene")
+      "(epsilon: from the radius, or where that is infinite from the scene's diagonal), or a file of lkao simplify. "
+      "With --reference: against the whole scene")
       ->type_name("KEY=NUMBER,...|FILE");
   app.add_flag("--reference", rendering.reference,
                "Cast the same rays through Embree too (where it is the method: by bvh) and count differences");

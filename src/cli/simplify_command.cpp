@@ -51,7 +51,7 @@ lod::LevelRule rule_of(const SimplifyCommandOptions& options, const SceneInput& 
   if (options.epsilon) {
     rule.epsilon = static_cast<float>(*options.epsilon);
   } else if (options.radius) {
-    rule.epsilon = lod::automatic_epsilon(static_cast<float>(*options.radius), rule);
+    rule.epsilon = lod::automatic_epsilon(scene.mesh, static_cast<float>(*options.radius), rule);
   } else {
     const scene::SuggestedRadii radii = suggest_radii(scene.name, scene::bounds_of(scene.mesh));
     throw std::invalid_argument(
@@ -221,8 +221,9 @@ void add_options(CLI::App& app, SimplifyCommandOptions& options) {
              "Chain: NAME.json, with NAME.0.ply, NAME.1.ply ... beside it")
       ->required()
       ->type_name("FILE");
-  auto* const radius = add_parsed(app, "--radius", options.radius, parse_positive_number,
-                                  "AO radius: the last level begins at half of it (or give --epsilon)");
+  auto* const radius = add_parsed(app, "--radius", options.radius, parse_radius,
+                                  "AO radius: the last level begins at half of it, of the scene's diagonal where it is "
+                                  "inf (or give --epsilon)");
   radius->type_name("R");
   add_parsed(app, "--epsilon", options.epsilon, parse_positive_number,
              "Allowed error of the first simplified level, in the scene's unit")

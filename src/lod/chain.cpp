@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include <fmt/format.h>
+#include <glm/geometric.hpp>
 
 namespace lkao::lod {
 namespace {
@@ -55,6 +56,12 @@ float automatic_epsilon(float radius, const LevelRule& rule) {
   require_positive("radius", radius);
   const double last_growth = rule.level_count > 1 ? growth_until(rule, rule.level_count - 1) : 1.0;
   return static_cast<float>(kLastLevelBegins * double{radius} / (double{rule.k} * last_growth));
+}
+
+float automatic_epsilon(const scene::Mesh& mesh, float radius, const LevelRule& rule) {
+  if (!std::isinf(radius)) return automatic_epsilon(radius, rule);
+  const Bounds bounds = scene::bounds_of(mesh);
+  return automatic_epsilon(static_cast<float>(glm::distance(glm::dvec3(bounds.lower), glm::dvec3(bounds.upper))), rule);
 }
 
 }  // namespace lkao::lod

@@ -45,4 +45,8 @@ Chain empty_chain(const LevelRule& rule);
 // Throws std::invalid_argument as empty_chain does, and where the radius is not positive and finite.
 float automatic_epsilon(float radius, const LevelRule& rule);
 
+// The same for a radius that may be infinite: then it is the diagonal of the mesh's bounds, beyond which rays from
+// within meet nothing.
+float automatic_epsilon(const scene::Mesh& mesh, float radius, const LevelRule& rule);
+
 }  // namespace lkao::lod

@@ -49,8 +49,17 @@ TEST_F(BadInput, MissingRadiusSuggestsSome) {
 }
 
 TEST_F(BadInput, Radius) {
-  for (const char* radius : {"0", "-1", "nan", "1e999", ""}) {
-    expect_rejected(render("builtin:wall", {"--radius", radius}), {"--radius", "above 0"});
+  for (const char* radius : {"0", "-1", "nan", "-inf", "1e999", ""}) {
+    expect_rejected(render("builtin:wall", {"--radius", radius}), {"--radius", "above 0, or inf"});
+  }
+}
+TEST_F(BadInput, InfiniteRadiusOfRaysOfSeveralLengthsInATable) {
+  for (const char* kernel : {"table", "nearest"}) {
+    const Arguments more = {"--radius", "inf", "--falloff", "linear", "--kernel", kernel};
+    expect_rejected(render("builtin:wall", more), {"--radius inf", "--falloff linear", kernel});
+    Arguments bake = {"bake", "builtin:wall", "-o", path("out.ply")};
+    bake.insert(bake.end(), more.begin(), more.end());
+    expect_rejected(bake, {"--radius inf", "--falloff linear", kernel});
   }
 }
 TEST_F(BadInput, SampleCount) {

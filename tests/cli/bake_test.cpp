@@ -42,6 +42,18 @@ TEST_F(Bake, DarkensUnderARoofOnly) {
   EXPECT_EQ(read_json("out.json")["receivers"], 7);
 }
 
+TEST_F(Bake, AnInfiniteRadiusReachesEverything) {
+  const std::string scene = write_file("square.ply", roofed_square_ply());
+  const auto vertices = [&](const std::string& radius) {
+    expect_success({"bake", scene, "-o", path("out.ply"), "--radius", radius, "--json", path("out.json")});
+    return read_file("out.ply");
+  };
+  EXPECT_TRUE(vertices("inf") == vertices("1024"));
+  EXPECT_TRUE(vertices("inf") != vertices("0.25"));
+  vertices("inf");
+  EXPECT_TRUE(read_json("out.json").at("radius").is_null());
+}
+
 TEST_F(Bake, JsonHasTheKeysOfARendering) {
   expect_success(bake("builtin:wall"));
   const nlohmann::json json = read_json("out.json");

@@ -33,6 +33,21 @@ TEST_F(LodRender, IsNearTheSceneAndSaysHowNear) {
   EXPECT_LT(json["reference"]["mae"].get<double>(), 0.03);
 }
 
+TEST_F(LodRender, TakesAnInfiniteRadius) {
+  const auto render = [&](const Arguments& more) {
+    Arguments arguments = {"render", "builtin:disk", "--size", "32x24",        "--radius",   "inf",
+                           "-o",     path("a.exr"),  "--json", path("a.json"), "--reference"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    expect_success(arguments);
+    return read_json("a.json");
+  };
+  const nlohmann::json info = nlohmann::json::parse(expect_success({"info", "builtin:disk", "--json", "-"}).out);
+  const nlohmann::json json = render({"--lod", "k=2,levels=3"});
+  EXPECT_NEAR(json["lod"]["levels"][2]["r_min"].get<double>(), info["diagonal"].get<double>() / 2, 1e-5);
+  EXPECT_LT(json["reference"]["mae"].get<double>(), 0.03);
+  EXPECT_EQ(render({"--lod", "k=1000000,epsilon=0.1"})["reference"]["mismatched_rays"], 0);
+}
+
 // Levels that begin behind all rays: nothing is different.
 TEST_F(LodRender, ConvergesToTheScene) {
   const nlohmann::json json = rendered({"--lod", "k=1000000,epsilon=0.1"});

@@ -102,6 +102,32 @@ TEST_F(RasterRender, AgreesWithEmbreeRayByRay) {
   }
 }
 
+TEST_F(RasterRender, TakesAnInfiniteRadius) {
+  const auto render = [&](const Arguments& more) {
+    Arguments arguments = {"render",   scene_,           "--method",   "raster",   "--gl",  "software",
+                           "--size",   "33x17",          "--radius",   "inf",      "--eye", "1.2,1.8,2.4",
+                           "--target", "0.05,0.45,-0.1", "--up",       "0.15,1,0", "-o",    path("a.exr"),
+                           "--json",   path("a.json"),   "--reference"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return arguments;
+  };
+  for (const Arguments& more : {Arguments{}, {"--sided", "one"}, {"--masks", "nearest"}, {"--lod", "k=5"}}) {
+    SCOPED_TRACE(testing::PrintToString(more));
+    expect_success(render(more));
+    const nlohmann::json json = read_json("a.json");
+    EXPECT_TRUE(json.at("radius").is_null());
+    const bool is_exact = more.empty() || more[0] == "--sided";
+    EXPECT_LE(json["reference"]["ray_mismatch_rate"], is_exact ? 1e-4 : 0.05);
+    EXPECT_GT(json["occlusion_mean"], 0.02);
+  }
+}
+
+TEST_F(RasterRender, InfiniteFalloffsAreRefused) {
+  Arguments arguments = {"render", scene_, "--method", "raster", "--radius", "inf", "--falloff", "smooth"};
+  arguments.insert(arguments.end(), {"-o", path("a.exr")});
+  expect_rejected(arguments, {"--radius inf", "--falloff smooth", "--method raster"});
+}
+
 TEST_F(RasterRender, NearestMasksAreMostlyTheSame) {
   expect_success(render("raster", "64x48", {"--masks", "nearest", "--reference"}));
   const nlohmann::json json = read_json("raster.json");

@@ -66,6 +66,25 @@ TEST_F(Render, JsonHasThePromisedKeys) {
   }
 }
 
+TEST_F(Render, AnInfiniteRadiusIsOneBeyondTheScene) {
+  const auto render = [&](const std::string& radius, const Arguments& more) {
+    Arguments arguments = {"render", "builtin:wall",   "--size",   "32x24", "--samples",  "64", "-o", path("out.exr"),
+                           "--json", path("out.json"), "--radius", radius,  "--reference"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    expect_success(arguments);
+    EXPECT_EQ(read_json("out.json")["reference"]["mismatched_rays"], 0);
+    return image::read_image(path("out.exr")).pixels;
+  };
+  // Powers of two, as the rays of an infinite radius are.
+  const std::vector<float> expected = render("1024", {});
+  EXPECT_EQ(render("inf", {}), expected);
+  EXPECT_TRUE(read_json("out.json").at("radius").is_null());
+  EXPECT_EQ(render("infinity", {"--kernel", "scalar"}), expected);
+  EXPECT_EQ(render("inf", {"--kernel", "table"}), expected);
+  EXPECT_EQ(render("inf", {"--method", "embree"}), expected);
+  EXPECT_EQ(render("inf", {"--falloff", "linear"}), expected);  // a share of infinity is infinite
+}
+
 TEST_F(Render, MeanOcclusionIsThatOfTheImage) {
   expect_success(wall({"-o", path("out.exr"), "--depth", "--json", path("out.json")}));
   const image::Image image = image::read_image(path("out.exr"));

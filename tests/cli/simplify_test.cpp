@@ -50,6 +50,15 @@ TEST_F(Simplify, JsonReportsWhatWasMeasured) {
                                               json["duplicates_left_out"].get<int>());
 }
 
+TEST_F(Simplify, AnInfiniteRadiusIsTheScenesDiagonal) {
+  const auto levels = [&](const std::string& radius) {
+    const ProgramResult result = expect_success(simplify("builtin:disk", {"--radius", radius, "--json", "-"}));
+    return nlohmann::json::parse(result.out)["levels"];
+  };
+  const nlohmann::json info = nlohmann::json::parse(expect_success({"info", "builtin:disk", "--json", "-"}).out);
+  EXPECT_NEAR(levels("inf")[3]["r_min"].get<double>(), info["diagonal"].get<double>() / 2, 1e-5);
+}
+
 TEST_F(Simplify, TheTableHasARowForEachLevel) {
   const std::string table = expect_success(simplify("builtin:disk", {"--radius", "2", "--levels", "2"})).out;
   for (const char* text : {"not manifold", "r min", "\n    0  ", "\n    1  ", "inf"}) {

@@ -89,6 +89,7 @@ TEST_F(PassErrors, NameTheOptionOutOfRange) {
       {"radius", {.radius = -1.0f}},
       {"radius", {.radius = nan}},
       {"radius", {.radius = 1e19f}},
+      {"radius", {.radius = -std::numeric_limits<float>::infinity()}},
       {"rotation", {.radius = 1.0f, .rotation = 1.5f}},
       {"tilt", {.radius = 1.0f, .tilt = nan}},
       {"surface_offset", {.radius = 1.0f, .surface_offset = -1.0f}},

@@ -26,7 +26,7 @@ function(validate)
   set(program_count ${program_count} PARENT_SCOPE)
 endfunction()
 
-foreach(name IN ITEMS classify.comp receivers.comp cast.comp resolve.comp)
+foreach(name IN ITEMS classify.comp receivers.comp radius.comp cast.comp resolve.comp)
   validate(NAMES ${name})
 endforeach()
 validate(NAMES screen.vert depth.frag)

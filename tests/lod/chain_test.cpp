@@ -70,6 +70,9 @@ TEST(Chain, AutomaticEpsilonPutsTheLastLevelAtHalfTheRadius) {
     rule.epsilon = automatic_epsilon(2.25f, rule);
     EXPECT_NEAR(empty_chain(rule).levels.back().r_min, 2.25f / 2, 1e-6);
   }
+  const scene::Mesh mesh{.positions = {{0, 0, 0}, {3, 0, 0}, {0, 4, 0}}, .triangles = {{0, 1, 2}}};
+  EXPECT_EQ(automatic_epsilon(mesh, 2.25f, {}), automatic_epsilon(2.25f, {}));
+  EXPECT_EQ(automatic_epsilon(mesh, kInfinity, {}), automatic_epsilon(5.0f, {}));  // the diagonal
   EXPECT_THROW(automatic_epsilon(0, {}), std::invalid_argument);
   EXPECT_THROW(automatic_epsilon(kNan, {}), std::invalid_argument);
 }
