@@ -7,7 +7,9 @@
 namespace lkao::bvh {
 namespace {
 
-Piece cube_at(float x, float y, std::uint32_t primitive) { return {{{x, y, 0, 0}, {x + 1, y + 1, 1, 0}}, primitive}; }
+Piece cube_at(float x, float y, std::uint32_t primitive) {
+  return Piece(Box{{x, y, 0, 0}, {x + 1, y + 1, 1, 0}}, primitive);
+}
 
 PieceSet set_of(const std::vector<Piece>& pieces) {
   PieceSet set;

@@ -8,7 +8,7 @@
 namespace lkao::bvh {
 namespace {
 
-Piece square(float size, std::uint32_t primitive) { return {{{0, 0, 0, 0}, {size, size, 0, 0}}, primitive}; }
+Piece square(float size, std::uint32_t primitive) { return Piece(Box{{0, 0, 0, 0}, {size, size, 0, 0}}, primitive); }
 
 std::vector<std::uint32_t> primitives_of(const Pieces& pieces, const PieceSet& set) {
   std::vector<std::uint32_t> numbers;

@@ -119,7 +119,7 @@ TEST(TriangleClip, CutsEachTriangleOfAMesh) {
   for (const std::uint32_t primitive : {0u, 1u, 0u}) {
     const float height = primitive == 0 ? 4.0f : 8.0f;
     for (const int axis : {0, 1}) {
-      const auto [left, right] = cut_triangle(mesh, primitive, {{0, 0, 0, 0}, {4, height, 0, 0}}, axis, 2);
+      const auto [left, right] = cut_triangle(mesh, primitive, Box{{0, 0, 0, 0}, {4, height, 0, 0}}, axis, 2);
       EXPECT_NEAR(right.upper[0], axis == 0 ? 4 : 4 - 8 / height, 1e-5);
       EXPECT_NEAR(right.upper[1], axis == 0 ? height / 2 : height, 1e-5);
     }
