@@ -1,4 +1,5 @@
-// lkao-bench build: hierarchies of lkao and scenes of Embree over the same meshes, their time and their memory.
+// lkao-bench build: hierarchies of lkao and scenes of Embree over the same meshes, their time and their memory, and how
+// fast queries are with and without spatial splits.
 #include <sys/resource.h>
 
 #include <algorithm>
@@ -7,6 +8,7 @@
 #include <cstdio>
 #include <map>
 #include <memory>
+#include <span>
 #include <string>
 #include <thread>
 #include <vector>
@@ -23,6 +25,7 @@
 #include "options.h"
 #include "scene/builtin.h"
 #include "study_scenes.h"
+#include "tree_quality.h"
 
 namespace lkao::bench {
 namespace {
@@ -33,30 +36,56 @@ struct Options {
   std::vector<int> thread_counts;
   std::vector<BuildMethod> methods = {kBuildMethods.begin(), kBuildMethods.end()};
   int round_count = 5;
+  bool queries = false;
   std::string csv;
 };
 
+// What is built over, and what then is asked of it: no receivers: nothing.
+struct Input {
+  const TriangleMesh mesh;
+  std::span<const Receiver> receivers;
+  float radius;
+};
+
+struct Samples {
+  std::vector<double> build_seconds, query_seconds;
+  BuildCost last = {};
+};
+
+void run_once(BuildMethod method, const Input& input, Samples& samples) {
+  samples.last.occluders.reset();  // not two at a time
+  samples.last = build_once(method, input.mesh);
+  samples.build_seconds.push_back(samples.last.seconds);
+  if (!samples.last.occluders || input.receivers.empty()) return;
+  samples.query_seconds.push_back(query_seconds(*samples.last.occluders, input.receivers, input.radius));
+}
+
+BuildResult result_of(BuildMethod method, const Input& input, const Samples& samples) {
+  const auto per_triangle = [&](std::size_t bytes) {
+    return static_cast<double>(bytes) / static_cast<double>(std::max<std::size_t>(input.mesh.triangles.size(), 1));
+  };
+  BuildResult result{method, cli::median(samples.build_seconds), per_triangle(samples.last.memory_bytes),
+                     per_triangle(samples.last.mesh_bytes)};
+  if (samples.last.occluders) result.quality = tree_quality(*samples.last.occluders);
+  if (!samples.query_seconds.empty()) {
+    result.query_microseconds = cli::median(samples.query_seconds) * 1e6 / static_cast<double>(input.receivers.size());
+  }
+  return result;
+}
+
 // Round after round, so that a slow moment of the machine meets all methods.
-std::vector<BuildResult> measure(const TriangleMesh& mesh, int thread_count, const Options& options) {
+std::vector<BuildResult> measure(const Input& input, int thread_count, const Options& options) {
   const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
                                     static_cast<std::size_t>(thread_count));
-  std::vector<std::vector<double>> seconds(options.methods.size());
-  std::vector<BuildCost> costs(options.methods.size());
+  std::vector<Samples> samples(options.methods.size());
   tbb::task_arena(thread_count).execute([&] {
     for (int round = 0; round < options.round_count; ++round) {
-      for (std::size_t i = 0; i < costs.size(); ++i) {
-        costs[i] = build_once(options.methods[i], mesh);
-        seconds[i].push_back(costs[i].seconds);
-      }
+      for (std::size_t i = 0; i < samples.size(); ++i) run_once(options.methods[i], input, samples[i]);
     }
   });
-  const auto per_triangle = [&](std::size_t bytes) {
-    return static_cast<double>(bytes) / static_cast<double>(std::max<std::size_t>(mesh.triangles.size(), 1));
-  };
   std::vector<BuildResult> results;
-  for (std::size_t i = 0; i < costs.size(); ++i) {
-    results.push_back({options.methods[i], cli::median(seconds[i]), per_triangle(costs[i].memory_bytes),
-                       per_triangle(costs[i].mesh_bytes)});
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    results.push_back(result_of(options.methods[i], input, samples[i]));
   }
   return results;
 }
@@ -75,15 +104,28 @@ class Comparison {
     std::vector<std::string> names;
     if (options_.hairballs.empty() || !options_.scenes.names.empty()) names = study_scene_names(options_.scenes);
     fmt::print("{}", build_table_heading());
-    for (const std::string& name : names) measure_mesh(name, load_study_mesh(name, options_.scenes));
-    for (const std::size_t count : options_.hairballs) measure_mesh("hairball", scene::make_hairball(count));
+    for (const std::string& name : names) {
+      if (options_.queries) {
+        const StudyScene scene = load_study_scene(name, options_.scenes);
+        measure_scene(name, {scene.mesh.view(), scene.receivers, scene.radii.back()});
+      } else {
+        const scene::Mesh mesh = load_study_mesh(name, options_.scenes);
+        measure_scene(name, {mesh.view(), {}, 0});
+      }
+    }
+    for (const std::size_t count : options_.hairballs) {
+      const scene::Mesh mesh = scene::make_hairball(count);
+      measure_scene("hairball", {mesh.view(), {}, 0});
+    }
+    fmt::print("{}", build_quality_heading());
+    for (const BuildCell& cell : cells_) fmt::print("{}", build_quality_rows(cell));
     fmt::print("\n{}{}", build_summary(cells_), peak_memory());
   }
 
  private:
-  void measure_mesh(const std::string& name, const scene::Mesh& mesh) {
+  void measure_scene(const std::string& name, const Input& input) {
     for (const int thread_count : options_.thread_counts) {
-      BuildCell cell{name, mesh.triangles.size(), thread_count, measure(mesh.view(), thread_count, options_)};
+      BuildCell cell{name, input.mesh.triangles.size(), thread_count, measure(input, thread_count, options_)};
       fmt::print("{}", build_table_row(cell));
       std::fflush(stdout);
       csv_.write(build_csv_rows(cell));
@@ -106,8 +148,10 @@ std::vector<int> default_thread_counts() {
 
 Command add_build_command(CLI::App& program) {
   auto options = std::make_shared<Options>();
+  options->scenes.width = 128, options->scenes.height = 96;
   options->thread_counts = default_thread_counts();
-  CLI::App* app = program.add_subcommand("build", "Time and memory of hierarchies, lkao against Embree's scenes.");
+  CLI::App* app =
+      program.add_subcommand("build", "Time, memory and quality of hierarchies, lkao against Embree's scenes.");
   add_scene_options(*app, options->scenes);
   app->add_option("--hairball", options->hairballs,
                   "also, or alone without --scenes: the built-in hairball with this many triangles")
@@ -118,9 +162,12 @@ Command add_build_command(CLI::App& program) {
       ->check(CLI::Range(1, 1024));
   std::map<std::string, BuildMethod> methods;
   for (const BuildMethod method : kBuildMethods) methods[name_of(method)] = method;
-  app->add_option("--methods", options->methods, "of lkao, embree_high, embree_medium; one, for its peak memory")
+  app->add_option("--methods", options->methods,
+                  "of lkao, lkao_no_splits, embree_high, embree_medium; one, for its peak memory")
       ->delimiter(',')
       ->transform(CLI::CheckedTransformer(methods));
+  app->add_flag("--queries", options->queries,
+                "also time queries in lkao's hierarchies: a view of 128 x 96 pixels, 128 rays, the largest radius");
   add_rounds_option(*app, options->round_count);
   add_csv_option(*app, options->csv);
   return {app, [options] { Comparison(*options).run(); }};

@@ -4,6 +4,7 @@
 #include <cstring>
 #include <span>
 #include <stdexcept>
+#include <utility>
 
 #include <embree3/rtcore.h>
 #include <fmt/format.h>
@@ -56,10 +57,12 @@ BuildCost build_embree(const TriangleMesh& mesh, RTCBuildQuality quality) {
   return {seconds, static_cast<std::size_t>(bytes - bytes_before), static_cast<std::size_t>(buffer_bytes)};
 }
 
-BuildCost build_lkao(const TriangleMesh& mesh) {
+BuildCost build_lkao(const TriangleMesh& mesh, bool spatial_splits) {
   const cli::Stopwatch time;
-  const OccluderBvh occluders(mesh);
-  return {time.seconds(), occluders.report().memory_bytes, mesh.positions.size_bytes() + mesh.triangles.size_bytes()};
+  OccluderBvh occluders(mesh, {.spatial_splits = spatial_splits});
+  const double seconds = time.seconds();
+  const std::size_t memory_bytes = occluders.report().memory_bytes;
+  return {seconds, memory_bytes, mesh.positions.size_bytes() + mesh.triangles.size_bytes(), std::move(occluders)};
 }
 
 }  // namespace
@@ -68,6 +71,8 @@ const char* name_of(BuildMethod method) {
   switch (method) {
     case BuildMethod::lkao:
       return "lkao";
+    case BuildMethod::lkao_no_splits:
+      return "lkao_no_splits";
     case BuildMethod::embree_high:
       return "embree_high";
     default:
@@ -78,7 +83,9 @@ const char* name_of(BuildMethod method) {
 BuildCost build_once(BuildMethod method, const TriangleMesh& mesh) {
   switch (method) {
     case BuildMethod::lkao:
-      return build_lkao(mesh);
+      return build_lkao(mesh, true);
+    case BuildMethod::lkao_no_splits:
+      return build_lkao(mesh, false);
     case BuildMethod::embree_high:
       return build_embree(mesh, RTC_BUILD_QUALITY_HIGH);
     default:

@@ -3,14 +3,16 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 
 #include "lkao/occluder_bvh.h"
 
 namespace lkao::bench {
 
-enum class BuildMethod { lkao, embree_high, embree_medium };
+enum class BuildMethod { lkao, lkao_no_splits, embree_high, embree_medium };
 
-inline constexpr std::array kBuildMethods = {BuildMethod::lkao, BuildMethod::embree_high, BuildMethod::embree_medium};
+inline constexpr std::array kBuildMethods = {BuildMethod::lkao, BuildMethod::lkao_no_splits, BuildMethod::embree_high,
+                                             BuildMethod::embree_medium};
 
 const char* name_of(BuildMethod method);
 
@@ -19,7 +21,8 @@ struct BuildCost {
   // Of what is left when the build is done, all that queries need. It includes the mesh: lkao keeps a copy, Embree its
   // vertex and index buffers.
   std::size_t memory_bytes;
-  std::size_t mesh_bytes;  // of the copy or the buffers alone
+  std::size_t mesh_bytes;                               // of the copy or the buffers alone
+  std::optional<OccluderBvh> occluders = std::nullopt;  // of lkao's methods
 };
 
 // On the threads of the caller's TBB arena. Throws std::runtime_error with one line.

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "provenance.h"
+
 namespace lkao::bench {
 namespace {
 
@@ -43,16 +45,23 @@ const BuildResult* BuildCell::find(BuildMethod method) const {
 }
 
 std::string build_csv_heading() {
-  return "scene,triangles,threads,method,seconds,bytes_per_triangle,mesh_bytes_per_triangle,time_ratio,memory_ratio\n";
+  return provenance_comment() +
+         "scene,triangles,threads,method,seconds,bytes_per_triangle,mesh_bytes_per_triangle,time_ratio,memory_ratio,"
+         "nodes,references,sah_nodes,sah_leaves,query_us\n";
 }
 
 std::string build_csv_rows(const BuildCell& cell) {
   std::string rows;
   for (const BuildResult& result : cell.results) {
     const std::optional<Ratios> r = ratios(cell, result.method);
-    rows += fmt::format("{},{},{},{},{:.6g},{:.5g},{:.5g},{}\n", cell.scene, cell.triangle_count, cell.thread_count,
-                        name_of(result.method), result.seconds, result.bytes_per_triangle,
-                        result.mesh_bytes_per_triangle, r ? fmt::format("{:.5g},{:.5g}", r->seconds, r->memory) : ",");
+    const auto& q = result.quality;
+    rows += fmt::format(
+        "{},{},{},{},{:.6g},{:.5g},{:.5g},{},{},{}\n", cell.scene, cell.triangle_count, cell.thread_count,
+        name_of(result.method), result.seconds, result.bytes_per_triangle, result.mesh_bytes_per_triangle,
+        r ? fmt::format("{:.5g},{:.5g}", r->seconds, r->memory) : ",",
+        q ? fmt::format("{},{},{:.5g},{:.5g}", q->node_count, q->reference_count, q->visited_nodes, q->visited_leaves)
+          : ",,,",
+        result.query_microseconds ? fmt::format("{:.5g}", *result.query_microseconds) : "");
   }
   return rows;
 }
@@ -60,7 +69,7 @@ std::string build_csv_rows(const BuildCell& cell) {
 std::string build_table_heading() {
   std::string heading = fmt::format("{:16} {:>9} {:>7}", "scene", "triangles", "threads");
   for (const BuildMethod method : kBuildMethods) {
-    heading += fmt::format(" | {:>13} {:>8}", name_of(method), "bytes/t");
+    heading += fmt::format(" | {:>14} {:>8}", name_of(method), "bytes/t");
     if (method != BuildMethod::lkao) heading += fmt::format(" {:>6} {:>8}", "x time", "x memory");
   }
   return heading + "\n";
@@ -70,8 +79,8 @@ std::string build_table_row(const BuildCell& cell) {
   std::string row = fmt::format("{:16} {:9} {:7}", cell.scene, cell.triangle_count, cell.thread_count);
   for (const BuildMethod method : kBuildMethods) {
     const BuildResult* result = cell.find(method);
-    row += result ? fmt::format(" | {:11.3f} s {:8.1f}", result->seconds, result->bytes_per_triangle)
-                  : fmt::format(" | {:>13} {:>8}", "-", "-");
+    row += result ? fmt::format(" | {:12.3f} s {:8.1f}", result->seconds, result->bytes_per_triangle)
+                  : fmt::format(" | {:>14} {:>8}", "-", "-");
     if (method == BuildMethod::lkao) continue;
     const std::optional<Ratios> r = ratios(cell, method);
     row += r ? fmt::format(" {:6.2f} {:8.2f}", r->seconds, r->memory) : fmt::format(" {:>6} {:>8}", "-", "-");
@@ -79,8 +88,26 @@ std::string build_table_row(const BuildCell& cell) {
   return row + "\n";
 }
 
+std::string build_quality_heading() {
+  return fmt::format("\n{:16} {:>7} {:15} {:>9} {:>10} {:>9} {:>10} {:>11}\n", "scene", "threads", "method", "nodes",
+                     "references", "sah nodes", "sah leaves", "us/receiver");
+}
+
+std::string build_quality_rows(const BuildCell& cell) {
+  std::string rows;
+  for (const BuildResult& result : cell.results) {
+    const auto& q = result.quality;
+    if (!q) continue;
+    rows += fmt::format("{:16} {:7} {:15} {:9} {:10} {:9.2f} {:10.2f} {:>11}\n", cell.scene, cell.thread_count,
+                        name_of(result.method), q->node_count, q->reference_count, q->visited_nodes, q->visited_leaves,
+                        result.query_microseconds ? fmt::format("{:.3f}", *result.query_microseconds) : "-");
+  }
+  return rows;
+}
+
 std::string build_summary(const std::vector<BuildCell>& cells) {
-  return summarize(cells, BuildMethod::embree_high) + summarize(cells, BuildMethod::embree_medium);
+  return summarize(cells, BuildMethod::lkao_no_splits) + summarize(cells, BuildMethod::embree_high) +
+         summarize(cells, BuildMethod::embree_medium);
 }
 
 }  // namespace lkao::bench

@@ -8,8 +8,8 @@
 #include <fmt/format.h>
 #include <glm/common.hpp>
 
-#include "bvh/embree_builder.h"
 #include "bvh/flatten.h"
+#include "bvh/split_builder.h"
 #include "bvh/zero_area.h"
 
 namespace lkao::bvh {
@@ -18,9 +18,9 @@ namespace {
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 // Sorts the triangles of the mesh into those the builder gets and those that are dropped and counted.
-BuildPrimitives collect_occluders(const TriangleMesh& mesh, Layout& layout) {
-  BuildPrimitives primitives;
-  primitives.reserve(mesh.triangles.size() * 2);  // room for spatial splits
+Pieces collect_occluders(const TriangleMesh& mesh, std::size_t capacity, Layout& layout) {
+  Pieces pieces;
+  pieces.reserve(capacity);
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     const glm::uvec3& t = mesh.triangles[i];
     for (int k = 0; k < 3; ++k) {
@@ -36,13 +36,14 @@ BuildPrimitives collect_occluders(const TriangleMesh& mesh, Layout& layout) {
       ++layout.report.zero_area_count;
     } else {
       const glm::vec3 lower = glm::min(a, glm::min(b, c)), upper = glm::max(a, glm::max(b, c));
-      primitives.push_back({lower.x, lower.y, lower.z, 0, upper.x, upper.y, upper.z, static_cast<unsigned>(i)});
+      pieces.emplace_back(Box{{lower.x, lower.y, lower.z, 0}, {upper.x, upper.y, upper.z, 0}},
+                          static_cast<std::uint32_t>(i));
       layout.bounds = {glm::min(layout.bounds.lower, lower), glm::max(layout.bounds.upper, upper)};
     }
   }
   layout.report.triangle_count = mesh.triangles.size();
-  layout.report.occluder_count = primitives.size();
-  return primitives;
+  layout.report.occluder_count = pieces.size();
+  return pieces;
 }
 
 template <typename Vector>
@@ -56,10 +57,10 @@ std::shared_ptr<const Layout> build(const TriangleMesh& mesh, const BuildOptions
   const auto start = std::chrono::steady_clock::now();
   auto layout = std::make_shared<Layout>();
   layout->bounds = {glm::vec3(kInfinity), glm::vec3(-kInfinity)};
-  BuildPrimitives primitives = collect_occluders(mesh, *layout);
-  if (!primitives.empty()) {
-    EmbreeBuilder builder;
-    const BuildTree& tree = builder.build(mesh, std::move(primitives), options.spatial_splits);
+  SplitBuilder builder(mesh, options.spatial_splits);
+  Pieces pieces = collect_occluders(mesh, builder.capacity_for(mesh.triangles.size()), *layout);
+  if (!pieces.empty()) {
+    const BuildTree& tree = builder.build(std::move(pieces));
     layout->positions.assign(mesh.positions.begin(), mesh.positions.end());
     layout->triangles.assign(mesh.triangles.begin(), mesh.triangles.end());
     flatten(tree, *layout);

@@ -1,7 +1,7 @@
 // From the builder's tree to the layout that is traversed.
 #pragma once
 
-#include "bvh/embree_builder.h"
+#include "bvh/build_tree.h"
 #include "bvh/layout.h"
 
 namespace lkao::bvh {

@@ -1,8 +1,5 @@
-// Half of the time of a build is spent here.
 #include "bvh/triangle_clip.h"
 
-#include <atomic>
-#include <cstring>
 #include <limits>
 #include <utility>
 
@@ -11,36 +8,13 @@
 namespace lkao::bvh {
 namespace {
 
-// A vector of any processor: an extension of GCC and Clang. Of points and boxes the last lane has no meaning.
-using Lanes = float __attribute__((vector_size(16)));
-
-Lanes min(Lanes a, Lanes b) { return a < b ? a : b; }
-Lanes max(Lanes a, Lanes b) { return a > b ? a : b; }
-Lanes abs(Lanes a) { return max(a, -a); }
-
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 // 0 on the axis.
 constexpr Lanes kOthers[3] = {{0, kInfinity, kInfinity, 0}, {kInfinity, 0, kInfinity, 0}, {kInfinity, kInfinity, 0, 0}};
 
-struct Box {
-  Lanes lower;
-  Lanes upper;
-};
-
-constexpr Box kEmpty{{kInfinity, kInfinity, kInfinity, 0}, {-kInfinity, -kInfinity, -kInfinity, 0}};
-
-Box merge(const Box& a, const Box& b) { return {min(a.lower, b.lower), max(a.upper, b.upper)}; }
-Box merge(const Box& box, Lanes point) { return {min(box.lower, point), max(box.upper, point)}; }
-Box intersect(const Box& a, const Box& b) { return {max(a.lower, b.lower), min(a.upper, b.upper)}; }
-
-void store(const Box& box, RTCBounds& target) {
-  static_assert(sizeof(box) == sizeof(target));
-  std::memcpy(&target, &box, sizeof(target));
-}
-
 struct Corner {
   Corner() = default;
-  Corner(const glm::vec3& p, unsigned axis) : point{p.x, p.y, p.z, 0}, key((&p.x)[axis]) {}
+  Corner(const glm::vec3& p, int axis) : point{p.x, p.y, p.z, 0}, key((&p.x)[axis]) {}
 
   Lanes point;
   float key;  // its coordinate along the axis of the split
@@ -48,7 +22,6 @@ struct Corner {
 
 class Edge {
  public:
-  Edge() = default;
   Edge(const Corner& from, const Corner& to) : from_(from), along_(to.point - from.point), length_(to.key - from.key) {
     margin_ = 0x1p-21f * abs(along_) + 0x1p-64f;
   }
@@ -71,8 +44,7 @@ class Edge {
 // A triangle with its corners in order along an axis.
 class SortedTriangle {
  public:
-  SortedTriangle() = default;
-  SortedTriangle(const TriangleMesh& mesh, std::uint32_t primitive, unsigned axis) : axis_(axis) {
+  SortedTriangle(const TriangleMesh& mesh, std::uint32_t primitive, int axis) : axis_(axis) {
     const glm::uvec3& t = mesh.triangles[primitive];
     low_ = Corner(mesh.positions[t.x], axis);
     middle_ = Corner(mesh.positions[t.y], axis);
@@ -80,7 +52,6 @@ class SortedTriangle {
     if (middle_.key < low_.key) std::swap(low_, middle_);
     if (high_.key < middle_.key) std::swap(middle_, high_);
     if (middle_.key < low_.key) std::swap(low_, middle_);
-    low_to_high_ = Edge(low_, high_), low_to_middle_ = Edge(low_, middle_), middle_to_high_ = Edge(middle_, high_);
   }
 
   bool is_left_of(float position) const { return high_.key <= position; }
@@ -88,14 +59,14 @@ class SortedTriangle {
 
   // For planes that have it neither on the left nor on the right.
   std::pair<Box, Box> cut(float position) const {
-    const Box crossing = low_to_high_.crossing(position);
+    const Box crossing = Edge(low_, high_).crossing(position);
     Box left = merge(crossing, low_.point), right = merge(crossing, high_.point);
     if (position < middle_.key) {
-      const Box other = low_to_middle_.crossing(position);
+      const Box other = Edge(low_, middle_).crossing(position);
       left = merge(left, other);
       right = merge(merge(right, other), middle_.point);
     } else {
-      const Box other = middle_to_high_.crossing(position);
+      const Box other = Edge(middle_, high_).crossing(position);
       left = merge(merge(left, other), middle_.point);
       right = merge(right, other);
     }
@@ -106,50 +77,18 @@ class SortedTriangle {
 
  private:
   Corner low_, middle_, high_;
-  Edge low_to_high_, low_to_middle_, middle_to_high_;
-  unsigned axis_;
+  int axis_;
 };
-
-// The builder cuts a triangle by plane after plane across an axis, so each thread keeps its last one.
-const SortedTriangle& sorted_triangle(const ClipMesh& mesh, std::uint32_t primitive, unsigned axis) {
-  struct Last {
-    std::uint64_t mesh_number;
-    std::uint32_t primitive;
-    unsigned axis;
-    SortedTriangle triangle;
-  };
-  static thread_local Last last{};
-  if (last.mesh_number != mesh.number || last.primitive != primitive || last.axis != axis) {
-    last = {mesh.number, primitive, axis, SortedTriangle(mesh.mesh, primitive, axis)};
-  }
-  return last.triangle;
-}
-
-std::uint64_t next_number() {
-  static std::atomic<std::uint64_t> last_number = 0;
-  return ++last_number;
-}
 
 }  // namespace
 
-ClipMesh::ClipMesh(const TriangleMesh& triangle_mesh) : mesh(triangle_mesh), number(next_number()) {}
-
-void split_triangle(const RTCBuildPrimitive* piece, unsigned axis, float position, RTCBounds* left, RTCBounds* right,
-                    void* clip_mesh) {
-  const SortedTriangle& triangle = sorted_triangle(*static_cast<const ClipMesh*>(clip_mesh), piece->primID, axis);
-  const Box within{{piece->lower_x, piece->lower_y, piece->lower_z, 0},
-                   {piece->upper_x, piece->upper_y, piece->upper_z, 0}};
-  if (triangle.is_right_of(position)) {
-    store(kEmpty, *left);
-    store(within, *right);
-  } else if (triangle.is_left_of(position)) {
-    store(within, *left);
-    store(kEmpty, *right);
-  } else {
-    const auto [left_box, right_box] = triangle.cut(position);
-    store(intersect(left_box, within), *left);
-    store(intersect(right_box, within), *right);
-  }
+std::pair<Box, Box> cut_triangle(const TriangleMesh& mesh, std::uint32_t primitive, const Box& within, int axis,
+                                 float position) {
+  const SortedTriangle triangle(mesh, primitive, axis);
+  if (triangle.is_right_of(position)) return {empty_box(), within};
+  if (triangle.is_left_of(position)) return {within, empty_box()};
+  const auto [left, right] = triangle.cut(position);
+  return {intersect(left, within), intersect(right, within)};
 }
 
 }  // namespace lkao::bvh

@@ -12,7 +12,7 @@ set(prefixes lkao lut bvh query scene lod image reference raster cli gpu assimp 
 
 set(may_include_include/lkao lkao)
 set(may_include_lut lkao lut)
-set(may_include_bvh lkao lut bvh embree3)
+set(may_include_bvh lkao lut bvh)
 set(may_include_src/query lkao lut bvh query)
 set(may_include_gpu lkao lut gpu epoxy EGL)
 set(may_include_src/scene lkao lut bvh query scene assimp embree3)

@@ -112,6 +112,24 @@ Mesh long_slivers(int count) {
   return mesh;
 }
 
+// Half the surface of the leaf that a reference lies in, on average.
+double mean_leaf_area(const Layout& layout) {
+  double sum = 0;
+  const LayoutWalk walk(layout);
+  for (const LayoutWalk::Reference& reference : walk.references) {
+    const glm::dvec3 size = glm::dvec3(reference.box.upper) - glm::dvec3(reference.box.lower);
+    sum += size.x * size.y + size.y * size.z + size.z * size.x;
+  }
+  return sum / static_cast<double>(walk.references.size());
+}
+
+TEST(SpatialSplits, MakeTheBoxesOfSliversMuchSmaller) {
+  const Mesh mesh = long_slivers(2000);
+  const OccluderBvh whole(mesh.view(), {.spatial_splits = false}), split(mesh.view(), {.spatial_splits = true});
+  EXPECT_LT(mean_leaf_area(split.layout()), 0.6 * mean_leaf_area(whole.layout()));
+  EXPECT_LE(split.report().reference_count, mesh.triangles.size() * 7 / 4);
+}
+
 TEST(Flatten, GivesTheSameOnAnyNumberOfThreads) {
   const tbb::global_control more_threads(tbb::global_control::max_allowed_parallelism, 8);
   const Mesh mesh = long_slivers(20'000);  // enough for parallel work at every step

@@ -17,26 +17,24 @@ struct Split {
   Bounds left, right;
 };
 
-Bounds bounds_of(const RTCBounds& b) { return {{b.lower_x, b.lower_y, b.lower_z}, {b.upper_x, b.upper_y, b.upper_z}}; }
+Bounds bounds_of(const Box& b) { return {{b.lower[0], b.lower[1], b.lower[2]}, {b.upper[0], b.upper[1], b.upper[2]}}; }
 
-// A triangle that is cut as the builder does it: with plane after plane.
+// One triangle, to be cut.
 class Cutter {
  public:
   explicit Cutter(const glm::vec3 (&corners)[3])
       : positions_{corners[0], corners[1], corners[2]}, mesh_({positions_, triangles_}) {}
 
   Split clip(const Bounds& piece, int axis, float position) {
-    const RTCBuildPrimitive primitive{piece.lower.x, piece.lower.y, piece.lower.z, 0,
-                                      piece.upper.x, piece.upper.y, piece.upper.z, 0};
-    RTCBounds left, right;
-    split_triangle(&primitive, static_cast<unsigned>(axis), position, &left, &right, &mesh_);
+    const Box box{{piece.lower.x, piece.lower.y, piece.lower.z, 0}, {piece.upper.x, piece.upper.y, piece.upper.z, 0}};
+    const auto [left, right] = cut_triangle(mesh_, 0, box, axis, position);
     return {bounds_of(left), bounds_of(right)};
   }
 
  private:
   const glm::vec3 positions_[3];
   const glm::uvec3 triangles_[1] = {{0, 1, 2}};
-  ClipMesh mesh_;
+  TriangleMesh mesh_;
 };
 
 Split clip(const glm::vec3 (&corners)[3], const Bounds& piece, int axis, float position) {
@@ -117,15 +115,13 @@ TEST(TriangleClip, PlaneThroughACornerCutsThere) {
 TEST(TriangleClip, CutsEachTriangleOfAMesh) {
   const glm::vec3 positions[] = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 8, 0}};
   const glm::uvec3 triangles[] = {{0, 1, 2}, {0, 1, 3}};
-  ClipMesh mesh({positions, triangles});
-  for (const unsigned primitive : {0u, 1u, 0u}) {
+  const TriangleMesh mesh{positions, triangles};
+  for (const std::uint32_t primitive : {0u, 1u, 0u}) {
     const float height = primitive == 0 ? 4.0f : 8.0f;
-    const RTCBuildPrimitive piece{0, 0, 0, 0, 4, height, 0, primitive};
-    for (const unsigned axis : {0u, 1u}) {
-      RTCBounds left, right;
-      split_triangle(&piece, axis, 2, &left, &right, &mesh);
-      EXPECT_NEAR(right.upper_x, axis == 0 ? 4 : 4 - 8 / height, 1e-5);
-      EXPECT_NEAR(right.upper_y, axis == 0 ? height / 2 : height, 1e-5);
+    for (const int axis : {0, 1}) {
+      const auto [left, right] = cut_triangle(mesh, primitive, Box{{0, 0, 0, 0}, {4, height, 0, 0}}, axis, 2);
+      EXPECT_NEAR(right.upper[0], axis == 0 ? 4 : 4 - 8 / height, 1e-5);
+      EXPECT_NEAR(right.upper[1], axis == 0 ? height / 2 : height, 1e-5);
     }
   }
 }

@@ -1,13 +1,9 @@
-// Embree's builder: the tree it makes, in memory of its own.
+// The tree that a builder makes, before it is laid out for queries.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
-#include <vector>
 
-#include <embree3/rtcore.h>
-
-#include "bvh/huge_pages.h"
 #include "bvh/layout.h"
 
 namespace lkao::bvh {
@@ -40,26 +36,6 @@ struct BuildNode : BuildTree {
 
 struct BuildLeaf : BuildTree {
   std::uint32_t primitives[kLeafWidth];  // as many as size.reference_count, all different
-};
-
-// Not touched before the builder does, where memory is only reserved.
-using BuildPrimitives = std::vector<RTCBuildPrimitive, HugePageAllocator<RTCBuildPrimitive>>;
-
-// Owns Embree's device and builder; the tree lives as long as this.
-class EmbreeBuilder {
- public:
-  EmbreeBuilder();
-  ~EmbreeBuilder();
-  EmbreeBuilder(const EmbreeBuilder&) = delete;
-  EmbreeBuilder& operator=(const EmbreeBuilder&) = delete;
-
-  // The tree over the boxes of some triangles of `mesh`, at least one, whose numbers are the primID of the boxes. The
-  // tree is the same on any number of threads.
-  const BuildTree& build(const TriangleMesh& mesh, BuildPrimitives primitives, bool spatial_splits);
-
- private:
-  RTCDevice device_;
-  RTCBVH bvh_;
 };
 
 }  // namespace lkao::bvh

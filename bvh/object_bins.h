@@ -1,0 +1,57 @@
+// Splitting a set of pieces by their centers, with the surface area heuristic.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+
+#include "bvh/piece.h"
+
+namespace lkao::bvh {
+
+// Vectors of triangles that hold so many: what leaves cost.
+inline float leaf_cost(std::size_t piece_count) { return static_cast<float>((piece_count + 3) / 4); }
+
+// Which bin a piece belongs to, by its center, along each axis.
+class CenterMap {
+ public:
+  static constexpr int kMaxBins = 32;
+
+  CenterMap() = default;
+  explicit CenterMap(const PieceSet& set);
+
+  int bin_count() const { return bin_count_; }
+  bool is_flat(int axis) const { return scale_[axis] == 0; }
+  IntLanes bins_of(const Piece& piece) const {
+    return __builtin_convertvector((piece.twice_center() - origin_) * scale_, IntLanes);
+  }
+  bool is_left(const Piece& piece, int axis, int first_right_bin) const {
+    return bins_of(piece)[axis] < first_right_bin;
+  }
+
+ private:
+  Lanes origin_, scale_;
+  int bin_count_;
+};
+
+struct ObjectSplit {
+  float cost = std::numeric_limits<float>::infinity();  // areas of the children by their leaf_cost; infinite: none
+  int axis = 0, first_right_bin = 0;
+  Box left = empty_box(), right = empty_box();
+};
+
+// Of pieces of a set with this map. Parts of a set may be binned apart and merged: no bit depends on how.
+class ObjectBins {
+ public:
+  explicit ObjectBins(const CenterMap& map);
+  void add(std::span<const Piece> pieces, const CenterMap& map);
+  void merge_with(const ObjectBins& other, const CenterMap& map);
+  ObjectSplit best(const CenterMap& map) const;
+
+ private:
+  Box boxes_[3][CenterMap::kMaxBins];
+  std::uint32_t counts_[3][CenterMap::kMaxBins];
+};
+
+}  // namespace lkao::bvh
