@@ -31,7 +31,9 @@ Halves Partition::finish() {
   left_.end = right_.begin;
   const std::size_t room = right_.room();
   const double area = left_.area + right_.area;
-  const double left_share = area > 0 ? left_.area / area : 0.5;
+  const double count = static_cast<double>(left_.size() + right_.size());
+  const double left_of_count = static_cast<double>(right_.begin - left_.begin) / count;
+  const double left_share = 0.5 * (left_of_count + (area > 0 ? left_.area / area : left_of_count));
   const std::size_t left_room = std::min(static_cast<std::size_t>(left_share * static_cast<double>(room)), room);
   // The room of the left half lies between the two. The order of pieces is free: only as many as needed move.
   const std::size_t moved = std::min(left_room, right_.size());

@@ -26,8 +26,8 @@ class Partition {
   // Only where there is room.
   void put_both(const Piece& left, const Piece& right);
 
-  // Once there is no next piece. The room left over is shared out by the area of the pieces: large triangles have the
-  // most to gain from splits.
+  // Once there is no next piece. The room left over is shared out by the area of the pieces, since large triangles have
+  // the most to gain from splits, and by their number, so that a distant backdrop does not take it all.
   Halves finish();
 
  private:

@@ -13,10 +13,10 @@
 namespace lkao::bvh {
 namespace {
 
-// Room for splits, as a share of the triangles. With more the tree is hardly better, but larger.
-constexpr double kRoom = 0.75;
-// Planes are tried where the children's boxes overlap by such shares of the set's box and of the root's.
-constexpr float kOverlapOfSet = 0.1f, kOverlapOfRoot = 5e-6f;
+// Room for splits, as a share of the triangles.
+constexpr double kRoom = 1.0;
+// Planes are tried where the children's boxes overlap by such a share of the set's box.
+constexpr float kOverlapOfSet = 0.1f;
 
 constexpr std::size_t kPiecesWorthATask = 1024;
 constexpr std::size_t kPiecesWorthManyTasks = 16384;
@@ -81,7 +81,6 @@ const BuildTree& SplitBuilder::build(Pieces pieces) {
   for (const Piece& piece : pieces_) set.include(piece);
   pieces_.resize(capacity_for(set.size()));
   set.room_end = pieces_.size();
-  root_area_ = half_area(set.bounds);
   return *build_tree(set, 0);
 }
 
@@ -142,6 +141,9 @@ int SplitBuilder::split_into_children(const PieceSet& set, int level, PieceSet (
     children[largest] = halves.left;
     children[count++] = halves.right;
   }
+  // Large walls stand alone; the traversal begins at the end, with what blocks most for the least work.
+  std::stable_sort(children, children + count,
+                   [](const PieceSet& a, const PieceSet& b) { return a.size() > b.size(); });
   return count;
 }
 
@@ -238,8 +240,7 @@ bool SplitBuilder::may_gain_by_planes(const PieceSet& set, const ObjectSplit& sp
   if (set.room() == 0) return false;
   const Box overlap = intersect(split.left, split.right);
   if (is_empty(overlap)) return false;
-  const float area = half_area(overlap);
-  return area >= kOverlapOfSet * half_area(set.bounds) && area >= kOverlapOfRoot * root_area_;
+  return half_area(overlap) >= kOverlapOfSet * half_area(set.bounds);
 }
 
 }  // namespace lkao::bvh

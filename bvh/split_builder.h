@@ -55,7 +55,6 @@ class SplitBuilder {
   const TriangleMesh mesh_;
   const bool spatial_splits_;
   Pieces pieces_;
-  float root_area_ = 0;
   tbb::enumerable_thread_specific<std::pmr::monotonic_buffer_resource> memory_;
 };
 

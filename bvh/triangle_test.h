@@ -49,7 +49,8 @@ class TriangleTest {
     normal_ *= facing;
     distance_ *= facing;
     ray_norm_ = 1.7321 * static_cast<double>(radius);
-    normal_slack_ = kRounding * size * (norm(a) + ray_norm_);
+    normal_rounding_ = kRounding * size;
+    position_norm_ = norm(a);
     set_edge(0, a, b, facing);
     set_edge(1, b, c, facing);
     set_edge(2, c, a, facing);
@@ -68,14 +69,15 @@ class TriangleTest {
     const glm::dvec3 r(ray);
     return ray != glm::vec3(0) && glm::dot(r, edges_[0]) >= -edge_slacks_[0] &&
            glm::dot(r, edges_[1]) >= -edge_slacks_[1] && glm::dot(r, edges_[2]) >= -edge_slacks_[2] &&
-           glm::dot(r, normal_) >= distance_ - normal_slack_;
+           glm::dot(r, normal_) >= distance_ - normal_slack(1);
   }
 
   // The same for a part of the segment: from `begin` times the ray to `end` times the ray, 0 <= begin <= end <= 1.
   // A triangle that blocks the ray blocks at least one of the parts that it is divided into.
   bool blocks(const glm::vec3& ray, double begin, double end) const {
     const double towards = glm::dot(glm::dvec3(ray), normal_);
-    return blocks(ray) && towards * end >= distance_ - normal_slack_ && towards * begin <= distance_ + normal_slack_;
+    return blocks(ray) && towards * end >= distance_ - normal_slack(end) &&
+           towards * begin <= distance_ + normal_slack(begin);
   }
 
   // The planes, for kernels that decide by other means first. Normals are not of unit length; rays beyond all of
@@ -86,11 +88,15 @@ class TriangleTest {
   // True where rounding has moved the normal by less than 1e-6 radians: not where the origin is as good as on the
   // edge's line, or the triangle as good as a line.
   bool has_edge_direction(int i) const { return is_sure(edges_[i], edge_slacks_[i]); }
-  bool has_normal_direction() const { return is_sure(normal_, normal_slack_); }
+  bool has_normal_direction() const { return is_sure(normal_, normal_slack(1)); }
 
  private:
   // `slack` is the error of the vector times the length of a ray.
   bool is_sure(const glm::dvec3& vector, double slack) const { return norm(vector) * ray_norm_ > 1e6 * slack; }
+
+  // The error of that share of a ray times the normal, and of the distance: of what is near, it is that of what is
+  // near, however long the ray.
+  double normal_slack(double share) const { return normal_rounding_ * (position_norm_ + share * ray_norm_); }
 
   static constexpr double kRounding = 0x1p-49;
 
@@ -117,7 +123,7 @@ class TriangleTest {
   double edge_slacks_[3];
   glm::dvec3 normal_;
   double distance_;
-  double normal_slack_;
+  double normal_rounding_, position_norm_;
   bool can_block_;
   bool in_front_;
 };

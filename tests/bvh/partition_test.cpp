@@ -51,10 +51,10 @@ TEST(Partition, KeepsEveryPieceWhateverTheRoom) {
   }
 }
 
-TEST(Partition, SharesTheRoomByArea) {
-  const Parted parted(101);  // 100 are left: 5 units of area on the left, 46 on the right
-  EXPECT_EQ(parted.halves.left.room(), 9u);
-  EXPECT_EQ(parted.halves.right.room(), 91u);
+TEST(Partition, SharesTheRoomByAreaAndNumber) {
+  const Parted parted(101);  // 100 are left: 5 of 11 pieces on the left, 5 of 51 units of area
+  EXPECT_EQ(parted.halves.left.room(), 27u);
+  EXPECT_EQ(parted.halves.right.room(), 73u);
   EXPECT_EQ(parted.halves.left.room_end, parted.halves.right.begin);
   EXPECT_EQ(parted.halves.left.bounds.upper[0], 1);
   EXPECT_EQ(parted.halves.right.bounds.upper[0], 3);
