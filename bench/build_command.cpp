@@ -48,7 +48,7 @@ struct Input {
 };
 
 struct Samples {
-  std::vector<double> build_seconds, query_seconds;
+  std::vector<double> build_seconds, cpu_seconds, query_seconds;
   BuildCost last = {};
 };
 
@@ -56,16 +56,17 @@ void run_once(BuildMethod method, const Input& input, Samples& samples) {
   samples.last.occluders.reset();  // not two at a time
   samples.last = build_once(method, input.mesh);
   samples.build_seconds.push_back(samples.last.seconds);
+  samples.cpu_seconds.push_back(samples.last.cpu_seconds);
   if (!samples.last.occluders || input.receivers.empty()) return;
-  samples.query_seconds.push_back(query_seconds(*samples.last.occluders, input.receivers, input.radius));
+  samples.query_seconds.push_back(query_cpu_seconds(*samples.last.occluders, input.receivers, input.radius));
 }
 
 BuildResult result_of(BuildMethod method, const Input& input, const Samples& samples) {
   const auto per_triangle = [&](std::size_t bytes) {
     return static_cast<double>(bytes) / static_cast<double>(std::max<std::size_t>(input.mesh.triangles.size(), 1));
   };
-  BuildResult result{method, cli::median(samples.build_seconds), per_triangle(samples.last.memory_bytes),
-                     per_triangle(samples.last.mesh_bytes)};
+  BuildResult result{method, cli::median(samples.build_seconds), cli::median(samples.cpu_seconds),
+                     per_triangle(samples.last.memory_bytes), per_triangle(samples.last.mesh_bytes)};
   if (samples.last.occluders) result.quality = tree_quality(*samples.last.occluders);
   if (!samples.query_seconds.empty()) {
     result.query_microseconds = cli::median(samples.query_seconds) * 1e6 / static_cast<double>(input.receivers.size());

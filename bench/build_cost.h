@@ -17,7 +17,8 @@ inline constexpr std::array kBuildMethods = {BuildMethod::lkao, BuildMethod::lka
 const char* name_of(BuildMethod method);
 
 struct BuildCost {
-  double seconds;
+  double seconds;      // on the clock
+  double cpu_seconds;  // of all threads together: what a busy machine does not change
   // Of what is left when the build is done, all that queries need. It includes the mesh: lkao keeps a copy, Embree its
   // vertex and index buffers.
   std::size_t memory_bytes;

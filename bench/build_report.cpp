@@ -11,30 +11,34 @@ namespace lkao::bench {
 namespace {
 
 struct Ratios {
-  double seconds, memory;  // lkao's over the other's
+  double seconds, cpu_seconds, memory;  // lkao's over the other's
 };
 
 std::optional<Ratios> ratios(const BuildCell& cell, BuildMethod method) {
   const BuildResult *own = cell.find(BuildMethod::lkao), *other = cell.find(method);
   if (own == nullptr || other == nullptr) return std::nullopt;
-  return Ratios{own->seconds / other->seconds, own->bytes_per_triangle / other->bytes_per_triangle};
+  return Ratios{own->seconds / other->seconds, own->cpu_seconds / other->cpu_seconds,
+                own->bytes_per_triangle / other->bytes_per_triangle};
 }
 
 std::string summarize(const std::vector<BuildCell>& cells, BuildMethod method) {
-  double log_seconds = 0, log_memory = 0;
-  Ratios worst{0, 0};
+  double log_seconds = 0, log_cpu_seconds = 0, log_memory = 0;
+  Ratios worst{0, 0, 0};
   int count = 0;
   for (const BuildCell& cell : cells) {
     const std::optional<Ratios> r = ratios(cell, method);
     if (!r) continue;
-    log_seconds += std::log(r->seconds), log_memory += std::log(r->memory);
-    worst = {std::max(worst.seconds, r->seconds), std::max(worst.memory, r->memory)};
+    log_seconds += std::log(r->seconds), log_cpu_seconds += std::log(r->cpu_seconds), log_memory += std::log(r->memory);
+    worst = {std::max(worst.seconds, r->seconds), std::max(worst.cpu_seconds, r->cpu_seconds),
+             std::max(worst.memory, r->memory)};
     ++count;
   }
   if (count == 0) return "";
-  return fmt::format("lkao over {}, geometric mean (most): time {:.2f} ({:.2f}), memory {:.2f} ({:.2f})\n",
-                     name_of(method), std::exp(log_seconds / count), worst.seconds, std::exp(log_memory / count),
-                     worst.memory);
+  return fmt::format(
+      "lkao over {}, geometric mean (most): time {:.2f} ({:.2f}), processor time {:.2f} ({:.2f}), memory {:.2f} "
+      "({:.2f})\n",
+      name_of(method), std::exp(log_seconds / count), worst.seconds, std::exp(log_cpu_seconds / count),
+      worst.cpu_seconds, std::exp(log_memory / count), worst.memory);
 }
 
 }  // namespace
@@ -46,7 +50,9 @@ const BuildResult* BuildCell::find(BuildMethod method) const {
 
 std::string build_csv_heading() {
   return provenance_comment() +
-         "scene,triangles,threads,method,seconds,bytes_per_triangle,mesh_bytes_per_triangle,time_ratio,memory_ratio,"
+         "scene,triangles,threads,method,seconds,cpu_seconds,bytes_per_triangle,mesh_bytes_per_triangle,time_ratio,cpu_"
+         "time_ratio,"
+         "memory_ratio,"
          "nodes,references,sah_nodes,sah_leaves,query_us\n";
 }
 
@@ -56,9 +62,10 @@ std::string build_csv_rows(const BuildCell& cell) {
     const std::optional<Ratios> r = ratios(cell, result.method);
     const auto& q = result.quality;
     rows += fmt::format(
-        "{},{},{},{},{:.6g},{:.5g},{:.5g},{},{},{}\n", cell.scene, cell.triangle_count, cell.thread_count,
-        name_of(result.method), result.seconds, result.bytes_per_triangle, result.mesh_bytes_per_triangle,
-        r ? fmt::format("{:.5g},{:.5g}", r->seconds, r->memory) : ",",
+        "{},{},{},{},{:.6g},{:.6g},{:.5g},{:.5g},{},{},{}\n", cell.scene, cell.triangle_count, cell.thread_count,
+        name_of(result.method), result.seconds, result.cpu_seconds, result.bytes_per_triangle,
+        result.mesh_bytes_per_triangle,
+        r ? fmt::format("{:.5g},{:.5g},{:.5g}", r->seconds, r->cpu_seconds, r->memory) : ",,",
         q ? fmt::format("{},{},{:.5g},{:.5g}", q->node_count, q->reference_count, q->visited_nodes, q->visited_leaves)
           : ",,,",
         result.query_microseconds ? fmt::format("{:.5g}", *result.query_microseconds) : "");

@@ -13,7 +13,7 @@ namespace lkao::bench {
 
 struct BuildResult {
   BuildMethod method;
-  double seconds;  // the median
+  double seconds, cpu_seconds;  // medians
   double bytes_per_triangle, mesh_bytes_per_triangle;
   std::optional<TreeQuality> quality = std::nullopt;        // of lkao's methods
   std::optional<double> query_microseconds = std::nullopt;  // a receiver; where it was measured

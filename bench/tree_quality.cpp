@@ -1,10 +1,10 @@
 #include "tree_quality.h"
 
 #include <cstdint>
+#include <ctime>
 #include <vector>
 
 #include "bvh/layout.h"
-#include "cli/stopwatch.h"
 
 namespace lkao::bench {
 namespace {
@@ -27,13 +27,13 @@ TreeQuality tree_quality(const OccluderBvh& occluders) {
   return {occluders.report().node_count, occluders.report().reference_count, nodes, leaves};
 }
 
-double query_seconds(const OccluderBvh& occluders, std::span<const Receiver> receivers, float radius) {
+double query_cpu_seconds(const OccluderBvh& occluders, std::span<const Receiver> receivers, float radius) {
   const SamplePattern& pattern = SamplePattern::standard(128);
   const AmbientOcclusion ao(occluders, pattern, {.radius = radius});
   std::vector<std::uint64_t> masks(receivers.size() * static_cast<std::size_t>(pattern.word_count()));
-  const cli::Stopwatch time;
+  const std::clock_t start = std::clock();
   ao.query(receivers, {.mask_words = masks});
-  return time.seconds();
+  return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
 }
 
 }  // namespace lkao::bench

@@ -16,7 +16,7 @@ struct TreeQuality {
 
 TreeQuality tree_quality(const OccluderBvh& occluders);
 
-// Of one batch of 128 rays each, on the threads of the caller's TBB arena.
-double query_seconds(const OccluderBvh& occluders, std::span<const Receiver> receivers, float radius);
+// Processor time of one batch of 128 rays each, on the threads of the caller's TBB arena.
+double query_cpu_seconds(const OccluderBvh& occluders, std::span<const Receiver> receivers, float radius);
 
 }  // namespace lkao::bench
