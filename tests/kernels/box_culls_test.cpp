@@ -32,7 +32,7 @@ class BoxCulls : public testing::TestWithParam<int> {
   lut::RandomStream random_{1};
 };
 
-INSTANTIATE_TEST_SUITE_P(Rays, BoxCulls, testing::Values(64, 128, 256, 1024), testing::PrintToStringParamName());
+INSTANTIATE_TEST_SUITE_P(Rays, BoxCulls, testing::Values(64, 128, 192, 256, 1024), testing::PrintToStringParamName());
 
 // As far away as a ray goes, and a little nearer.
 TEST_P(BoxCulls, KeepNeedlesAtTheEndsOfRays) {

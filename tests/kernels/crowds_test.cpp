@@ -1,6 +1,7 @@
 // Scenes that keep a traversal busy: many boxes that rays meet in vain, deep hierarchies, small triangles among large
 // ones, closed surfaces.
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -92,7 +93,8 @@ TEST_P(Crowds, OfSmallTrianglesAmongLargeOnesAreAnsweredForEveryRay) {
   EXPECT_GT(blocked_count, 100u);
 }
 
-// From inside, near the wall and far from it, all rays are blocked: with a radius beyond the wall, and far beyond.
+// From inside, near the wall and far from it, all rays are blocked: with a radius beyond the wall, far beyond, and
+// without end.
 TEST_P(Crowds, InAClosedSurfaceLetNoRayOut) {
   Mesh mesh = random_soup(200, 0.02f, 54);
   for (glm::vec3& p : mesh.positions) p *= 0.5f;
@@ -100,7 +102,7 @@ TEST_P(Crowds, InAClosedSurfaceLetNoRayOut) {
   const auto first = static_cast<unsigned>(mesh.positions.size());
   mesh.positions.insert(mesh.positions.end(), sphere.positions.begin(), sphere.positions.end());
   for (const glm::uvec3& t : sphere.triangles) mesh.triangles.push_back(t + first);
-  for (const float radius : {2.1f, 50.0f, 1e5f}) {
+  for (const float radius : {2.1f, 50.0f, 1e5f, std::numeric_limits<float>::infinity()}) {
     std::vector<Receiver> inside = receivers(6, 0.5f);
     for (int i = 0; i < 6; ++i) inside.push_back({.position = 0.98f * random_direction(random_), .normal = {0, 1, 0}});
     const QueryOptions options{.radius = radius, .surface_offset = 0};

@@ -1,5 +1,6 @@
-// Receivers far outside of the scene, and rays far longer than it.
+// Receivers far outside of the scene, and rays far longer than it or without an end.
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include <fmt/format.h>
@@ -12,6 +13,8 @@
 
 namespace lkao::tests {
 namespace {
+
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 // In [-1, 1]^3: triangles of all sizes, a closed surface within them, and a wall behind.
 Mesh mixed_scene(std::uint64_t seed) {
@@ -51,7 +54,7 @@ TEST_P(FarAway, ReceiversSeeTheSceneThroughABeam) {
   const Mesh mesh = mixed_scene(42);
   for (const float distance : {2.0f, 10.0f, 1e3f, 1e6f}) {
     const SamplePattern pattern = beam(GetParam(), 1.0f / distance);
-    for (const float beyond : {-0.5f, 0.2f, 2.0f, 1e3f * distance}) {
+    for (const float beyond : {-0.5f, 0.2f, 2.0f, 1e3f * distance, kInfinity}) {
       for (const float surface_offset : {0.0f, 16.0f}) {
         const QueryOptions options{.radius = distance + beyond,
                                    .sidedness = beyond > 2 ? Sidedness::one_sided : Sidedness::two_sided,
@@ -65,7 +68,7 @@ TEST_P(FarAway, ReceiversSeeTheSceneThroughABeam) {
 TEST_P(FarAway, ReceiversSeeTheSceneWithFewRays) {
   const Mesh mesh = mixed_scene(43);
   for (const float distance : {2.0f, 10.0f, 1e3f, 1e6f}) {
-    for (const float beyond : {0.3f, 10 * distance}) {
+    for (const float beyond : {0.3f, 10 * distance, kInfinity}) {
       const QueryOptions options{.radius = distance + beyond};
       expect_same_bits(mesh, SamplePattern::standard(GetParam()), options, receivers_at(distance));
     }
@@ -112,7 +115,7 @@ TEST_P(FarAway, EndsOfRaysChangeNothing) {
   }
   const float diagonal = 2 * std::sqrt(3.0f);
   std::uint64_t blocked_count = 0;
-  for (const float radius : {2.0f, 100.0f, 1e6f, 1e12f}) {
+  for (const float radius : {2.0f, 100.0f, 1e6f, 1e12f, kInfinity}) {
     for (const Sidedness sidedness : {Sidedness::two_sided, Sidedness::one_sided}) {
       const QueryOptions options{.radius = radius * diagonal, .sidedness = sidedness};
       blocked_count += expect_same_bits(mesh, pattern, options, receivers);

@@ -45,7 +45,7 @@ class Needles : public testing::TestWithParam<int> {
   lut::RandomStream random_{21};
 };
 
-INSTANTIATE_TEST_SUITE_P(Rays, Needles, testing::Values(64, 128, 256, 1024), testing::PrintToStringParamName());
+INSTANTIATE_TEST_SUITE_P(Rays, Needles, testing::Values(64, 128, 192, 256, 960), testing::PrintToStringParamName());
 
 TEST_P(Needles, OnEveryRayAreFound) {
   for (const Shares& shares : {Shares{1e-3f, 1}, {0.9f, 1}, {0.05f, 0.06f}}) {
