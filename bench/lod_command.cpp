@@ -146,8 +146,8 @@ class Studies {
     for (std::size_t i = 0; i < rows.size(); ++i) {
       const Variant& variant = study.variants()[i];
       std::size_t triangle_count = 0;
-      for (const lod::Level& level : lod::levels_within(variant.chain, study.radius())) {
-        triangle_count += level.mesh.triangles.size();
+      for (const lod::LevelInUse& level : lod::levels_in_use(variant.chain, study.radius())) {
+        triangle_count += level.mesh->triangles.size();
       }
       const Row& row = rows[i];
       const double speedup = rows[0].milliseconds / row.milliseconds;

@@ -10,18 +10,19 @@ namespace {
 
 // Rows of samples of a triangle that is larger than the tolerance, at most.
 constexpr double kMostRows = 8;
-
-glm::dvec3 to_glm(const HalfEdgeMesh::Point& p) { return {p[0], p[1], p[2]}; }
+// The same where the new surface is held against the original: what is between samples is seen by nobody else.
+constexpr double kMostRowsOfReach = 32;
 
 float verdict(bool is_legal) {
   return is_legal ? float{DecimaterModule::LEGAL_COLLAPSE} : float{DecimaterModule::ILLEGAL_COLLAPSE};
 }
 
-// Samples that tell more than the corners do; none where the corners are enough.
-bool sample_if_large(const Triangle& t, double tolerance, const std::function<bool(const glm::dvec3&)>& take) {
+// Samples that tell more than the corners do, at a spacing for the tolerance; none where the corners are enough.
+bool sample_if_large(const Triangle& t, double tolerance, double spacing, double most_rows,
+                     const std::function<bool(const glm::dvec3&)>& take) {
   const double longest = longest_side(t);
   if (kFarthestFromCorners * longest <= tolerance) return true;
-  return sample_triangle(t, std::max(tolerance, longest / kMostRows),
+  return sample_triangle(t, std::max(spacing, longest / most_rows),
                          [&](const glm::dvec3& p, double) { return take(p); });
 }
 
@@ -40,31 +41,43 @@ void triangles_after(const HalfEdgeMesh& mesh, const Collapse& c, std::vector<Tr
 
 // --- Priority -------------------------------------------------------------------------------------------------------
 
-float QuadricModule::cost(const Collapse& c) {
-  constexpr double kWeightOfLength = 1e-7;
-  const double squared_length = (c.p1 - c.p0).sqrnorm();
-  const auto length_term = static_cast<float>(kWeightOfLength * squared_length * squared_length);
-  return std::max(0.0f, ModQuadricT::collapse_priority(c)) + length_term;
-}
-
-float QuadricModule::collapse_priority(const Collapse& c) {
-  const float priority = cost(c);
-  best_ = std::min(best_, priority);
-  return priority;
-}
-
-bool QuadricModule::is_better(const Collapse& c) {
-  if (c.v0 != vertex_) {
-    vertex_ = c.v0;
-    best_ = std::numeric_limits<float>::max();
+void set_quadrics(HalfEdgeMesh& mesh) {
+  for (const auto vertex : mesh.vertices()) mesh.data(vertex).quadric.clear();
+  for (const auto face : mesh.faces()) {
+    auto corner = mesh.cfv_iter(face);
+    const auto a = *corner, b = *++corner, c = *++corner;
+    const HalfEdgeMesh::Point normal = cross(mesh.point(b) - mesh.point(a), mesh.point(c) - mesh.point(a));
+    const double length = normal.norm();
+    if (!(length > 0)) continue;
+    Quadric quadric(normal / length, mesh.point(a));
+    quadric *= 0.5 * length;
+    for (const auto vertex : {a, b, c}) mesh.data(vertex).quadric += quadric;
   }
-  return cost(c) < best_;
 }
 
-void QuadricModule::postprocess_collapse(const Collapse& c) {
-  ModQuadricT::postprocess_collapse(c);
-  vertex_ = HalfEdgeMesh::VertexHandle();
+double collapse_cost(const HalfEdgeMesh& mesh, HalfEdgeMesh::HalfedgeHandle half_edge) {
+  constexpr double kWeightOfLength = 1e-7;
+  const auto from = mesh.from_vertex_handle(half_edge), to = mesh.to_vertex_handle(half_edge);
+  const HalfEdgeMesh::Point& point = mesh.point(to);
+  const double squared_length = (point - mesh.point(from)).sqrnorm();
+  const double error = mesh.data(from).quadric(point) + mesh.data(to).quadric(point);
+  return std::max(0.0, error) + kWeightOfLength * squared_length * squared_length;
 }
+
+double least_cost(const HalfEdgeMesh& mesh, HalfEdgeMesh::VertexHandle vertex) {
+  double least = std::numeric_limits<double>::infinity();
+  for (auto edge = mesh.cvoh_iter(vertex); edge.is_valid(); ++edge) least = std::min(least, collapse_cost(mesh, *edge));
+  return least;
+}
+
+const std::string& QuadricModule::name() const {
+  static const std::string kName = "Quadric";
+  return kName;
+}
+
+float QuadricModule::collapse_priority(const Collapse& c) { return static_cast<float>(collapse_cost(mesh(), c.v0v1)); }
+
+void QuadricModule::postprocess_collapse(const Collapse& c) { mesh().data(c.v1).quadric += mesh().data(c.v0).quadric; }
 
 const std::string& GateModule::name() const {
   static const std::string kName = "Gate";
@@ -73,7 +86,7 @@ const std::string& GateModule::name() const {
 
 float GateModule::collapse_priority(const Collapse& c) {
   const unsigned there = mesh().valence(c.v1), after = there + mesh().valence(c.v0) - 4;
-  return verdict(after <= std::max(there, kMostNeighbours) && quadric_->is_better(c));
+  return verdict(after <= std::max(there, kMostNeighbours));
 }
 
 // --- Borders --------------------------------------------------------------------------------------------------------
@@ -119,7 +132,7 @@ BorderModule::Vertex BorderModule::vertex_behind(const Collapse& c) {
 }
 
 BorderModule::Points& BorderModule::points_of(Vertex a, Vertex b) {
-  return mesh().property(gone_, mesh().edge_handle(mesh().find_halfedge(a, b)));
+  return mesh().data(mesh().edge_handle(mesh().find_halfedge(a, b))).gone;
 }
 
 void BorderModule::merge(std::pair<Vertex, Vertex> edge, std::pair<Vertex, Vertex> other, Vertex to) {
@@ -136,15 +149,15 @@ const std::string& GoneModule::name() const {
   return kName;
 }
 
-void GoneModule::add_samples() {
-  for (const auto face : mesh().faces()) {
-    auto corner = mesh().cfv_iter(face);
+void add_samples(HalfEdgeMesh& mesh, double tolerance) {
+  for (const auto face : mesh.faces()) {
+    auto corner = mesh.cfv_iter(face);
     Triangle t;
-    t.a = to_glm(mesh().point(*corner));
-    t.b = to_glm(mesh().point(*++corner));
-    t.c = to_glm(mesh().point(*++corner));
-    Points& points = mesh().property(gone_, face);
-    sample_if_large(t, tolerance_, [&points](const glm::dvec3& p) {
+    t.a = to_glm(mesh.point(*corner));
+    t.b = to_glm(mesh.point(*++corner));
+    t.c = to_glm(mesh.point(*++corner));
+    std::vector<glm::dvec3>& points = mesh.data(face).gone;
+    sample_if_large(t, tolerance, tolerance, kMostRows, [&points](const glm::dvec3& p) {
       points.push_back(p);
       return true;
     });
@@ -169,7 +182,7 @@ float GoneModule::collapse_priority(const Collapse& c) {
   std::size_t guess = 0;
   if (!is_near(to_glm(c.p0), guess)) return verdict(false);
   for (auto face = mesh().cvf_iter(c.v0); face.is_valid(); ++face) {
-    for (const glm::dvec3& point : mesh().property(gone_, *face)) {
+    for (const glm::dvec3& point : mesh().data(*face).gone) {
       if (!is_near(point, guess)) return verdict(false);
     }
   }
@@ -180,7 +193,7 @@ void GoneModule::preprocess_collapse(const Collapse& c) {
   moved_.assign(1, to_glm(c.p0));
   faces_.clear();
   for (auto face = mesh().cvf_iter(c.v0); face.is_valid(); ++face) {
-    Points& points = mesh().property(gone_, *face);
+    Points& points = mesh().data(*face).gone;
     moved_.insert(moved_.end(), points.begin(), points.end());
     Points().swap(points);
   }
@@ -203,7 +216,7 @@ void GoneModule::postprocess_collapse(const Collapse&) {
         nearest = i;
       }
     }
-    mesh().property(gone_, faces_[nearest]).push_back(point);
+    mesh().data(faces_[nearest]).gone.push_back(point);
   }
 }
 
@@ -214,13 +227,23 @@ const std::string& ReachModule::name() const {
   return kName;
 }
 
+void ReachModule::set_original(const NearCells& original, double scale, const glm::dvec3& origin) {
+  original_ = &original;
+  scale_ = scale;
+  origin_ = origin;
+  tolerance_ = original.distance() * scale;
+}
+
 float ReachModule::collapse_priority(const Collapse& c) {
   triangles_after(mesh(), c, triangles_);
   return verdict(std::ranges::all_of(triangles_, [this](const Triangle& t) { return is_near(t); }));
 }
 
+// What lies beyond mostly shows at a few samples already. The others are as dense as those that verify a level.
 bool ReachModule::is_near(const Triangle& t) const {
-  return sample_if_large(t, tolerance_, [this](const glm::dvec3& p) { return is_within_(p, tolerance_); });
+  const auto take = [this](const glm::dvec3& p) { return original_->is_within(p / scale_ + origin_); };
+  return sample_if_large(t, tolerance_, 2 * tolerance_, kMostRows, take) &&
+         sample_if_large(t, tolerance_, 0.5 * tolerance_, kMostRowsOfReach, take);
 }
 
 }  // namespace lkao::lod

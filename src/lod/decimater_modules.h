@@ -1,71 +1,60 @@
 // The modules of OpenMesh's decimater that make up our rule, over our own mesh type. For part_decimater.cpp alone.
 //
-// OpenMesh asks every binary module about each collapse of a vertex v0 into a neighbour v1, and the priority module
-// last; afterwards it asks again about the neighbours of v0, but no others. So what a module answers may depend on
-// nothing beyond the triangles around v0.
+// All binary modules are asked about a collapse of a vertex v0 into a neighbour v1 until one objects; after a collapse
+// again about the neighbours of v0, but no others. So what a module answers may depend on nothing beyond the triangles
+// around v0. What they know of the mesh is at its elements (half_edge_mesh.h): the modules of several decimaters share
+// it.
 #pragma once
 
-#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 #include <OpenMesh/Tools/Decimater/ModBaseT.hh>
-#include <OpenMesh/Tools/Decimater/ModQuadricT.hh>
 
 #include <glm/vec3.hpp>
 
+#include "lod/half_edge_mesh.h"
+#include "lod/near_cells.h"
 #include "lod/triangle.h"
 
 namespace lkao::lod {
 
-struct HalfEdgeTraits : OpenMesh::DefaultTraits {
-  using Point = OpenMesh::Vec3d;
-  using Normal = OpenMesh::Vec3d;
-};
-using HalfEdgeMesh = OpenMesh::TriMesh_ArrayKernelT<HalfEdgeTraits>;
-using Collapse = OpenMesh::Decimater::CollapseInfoT<HalfEdgeMesh>;
 using DecimaterModule = OpenMesh::Decimater::ModBaseT<HalfEdgeMesh>;
 
 // The triangles that a collapse would leave around v1 in the place of those around v0.
 void triangles_after(const HalfEdgeMesh& mesh, const Collapse& collapse, std::vector<Triangle>& triangles);
 
-// Error quadrics as priority, as OpenMesh has them, but never below zero: on flat ground rounding makes some of them
-// negative, which the decimater takes for a collapse that is not allowed. Where the quadrics say nothing, short edges
-// go first, for rounder triangles.
-class QuadricModule : public OpenMesh::Decimater::ModQuadricT<HalfEdgeMesh> {
+// Sets the quadrics at the vertices: of the planes around them, weighted by area.
+void set_quadrics(HalfEdgeMesh& mesh);
+
+// Error quadrics, and never below zero, where rounding brings some of them on flat ground. Where the quadrics say
+// nothing, short edges go first, for rounder triangles.
+double collapse_cost(const HalfEdgeMesh& mesh, HalfEdgeMesh::HalfedgeHandle half_edge);
+
+// Of the cheapest collapse of the vertex.
+double least_cost(const HalfEdgeMesh& mesh, HalfEdgeMesh::VertexHandle vertex);
+
+// Adds up the quadrics. OpenMesh's ModQuadricT keeps its own, which several decimaters cannot share.
+class QuadricModule : public DecimaterModule {
  public:
   using Handle = OpenMesh::Decimater::ModHandleT<QuadricModule>;
-  using ModQuadricT::ModQuadricT;
-
-  float collapse_priority(const Collapse& collapse) override;
-  void postprocess_collapse(const Collapse& collapse) override;
-
-  // False where a better collapse of the same vertex is known already: the other modules need not be asked.
-  bool is_better(const Collapse& collapse);
-
- private:
-  float cost(const Collapse& collapse);
-  HalfEdgeMesh::VertexHandle vertex_;  // asked about last
-  float best_ = 0;                     // of its collapses that all modules allow
+  explicit QuadricModule(HalfEdgeMesh& mesh) : DecimaterModule(mesh, false) {}
+  const std::string& name() const override;
+  float collapse_priority(const Collapse& c) override;
+  void postprocess_collapse(const Collapse& c) override;
 };
 
 // A vertex with more neighbours than this is not removed: what OpenMesh does for it grows with the square.
 inline constexpr unsigned kMostNeighbours = 64;
 
-// What is quick to decide, before the modules that cost time: whether QuadricModule::is_better (the result is the same
-// without it), and that no vertex gets more than kMostNeighbours that had fewer.
+// No vertex gets more than kMostNeighbours that had fewer.
 class GateModule : public DecimaterModule {
  public:
   using Handle = OpenMesh::Decimater::ModHandleT<GateModule>;
   explicit GateModule(HalfEdgeMesh& mesh) : DecimaterModule(mesh, true) {}
   const std::string& name() const override;
-  void set_quadric(QuadricModule& quadric) { quadric_ = &quadric; }
   float collapse_priority(const Collapse& c) override;
-
- private:
-  QuadricModule* quadric_ = nullptr;
 };
 
 // Keeps borders in place: the old border stays within the tolerance of the new one, and so the new one of the old one.
@@ -73,10 +62,7 @@ class GateModule : public DecimaterModule {
 class BorderModule : public DecimaterModule {
  public:
   using Handle = OpenMesh::Decimater::ModHandleT<BorderModule>;
-  explicit BorderModule(HalfEdgeMesh& mesh) : DecimaterModule(mesh, true) { mesh.add_property(gone_); }
-  ~BorderModule() override { mesh().remove_property(gone_); }
-  BorderModule(const BorderModule&) = delete;
-  BorderModule& operator=(const BorderModule&) = delete;
+  explicit BorderModule(HalfEdgeMesh& mesh) : DecimaterModule(mesh, true) {}
   const std::string& name() const override;
   void set_tolerance(double tolerance) { squared_tolerance_ = tolerance * tolerance; }
 
@@ -91,10 +77,12 @@ class BorderModule : public DecimaterModule {
   Points& points_of(Vertex a, Vertex b);
   void merge(std::pair<Vertex, Vertex> edge, std::pair<Vertex, Vertex> other, Vertex to);
 
-  OpenMesh::EPropHandleT<Points> gone_;            // from the border at this edge
   std::vector<std::pair<Vertex, Points>> merged_;  // of the collapse at hand: the new edges' far ends and points
   double squared_tolerance_ = 0;
 };
+
+// Gives the triangles that are larger than the tolerance samples to stand for, as if these were vertices that went.
+void add_samples(HalfEdgeMesh& mesh, double tolerance);
 
 // Keeps every vertex that went, and samples of large triangles, within the tolerance of the triangles there now. After
 // OpenMesh's ModHausdorffT, which hands points to triangles whose other neighbours are not asked again, and so lets
@@ -102,15 +90,9 @@ class BorderModule : public DecimaterModule {
 class GoneModule : public DecimaterModule {
  public:
   using Handle = OpenMesh::Decimater::ModHandleT<GoneModule>;
-  explicit GoneModule(HalfEdgeMesh& mesh) : DecimaterModule(mesh, true) { mesh.add_property(gone_); }
-  ~GoneModule() override { mesh().remove_property(gone_); }
-  GoneModule(const GoneModule&) = delete;
-  GoneModule& operator=(const GoneModule&) = delete;
+  explicit GoneModule(HalfEdgeMesh& mesh) : DecimaterModule(mesh, true) {}
   const std::string& name() const override;
   void set_tolerance(double tolerance) { tolerance_ = tolerance; }
-  // Samples the triangles that are larger than the tolerance.
-  void add_samples();
-
   float collapse_priority(const Collapse& c) override;
   void preprocess_collapse(const Collapse& c) override;
   void postprocess_collapse(const Collapse& c) override;
@@ -119,33 +101,32 @@ class GoneModule : public DecimaterModule {
   using Points = std::vector<glm::dvec3>;
   bool is_near(const glm::dvec3& point, std::size_t& guess) const;
 
-  OpenMesh::FPropHandleT<Points> gone_;  // the points that this triangle stands for
-  std::vector<Triangle> triangles_;      // of the collapse at hand
+  std::vector<Triangle> triangles_;  // of the collapse at hand
   std::vector<HalfEdgeMesh::FaceHandle> faces_;
   Points moved_;
   double tolerance_ = 0;
 };
 
-// Keeps every new triangle within the tolerance of the original surface, at samples: without it, triangles cut through
-// the air where no vertex went.
+// Keeps every new triangle near to the original surface, at samples: without it, triangles cut through the air where no
+// vertex went.
 class ReachModule : public DecimaterModule {
  public:
   using Handle = OpenMesh::Decimater::ModHandleT<ReachModule>;
-  // True where the point is at most this far from the original surface.
-  using IsWithin = std::function<bool(const glm::dvec3& point, double distance)>;
   explicit ReachModule(HalfEdgeMesh& mesh) : DecimaterModule(mesh, true) {}
   const std::string& name() const override;
-  void set_original(IsWithin is_within) { is_within_ = std::move(is_within); }
-  void set_tolerance(double tolerance) { tolerance_ = tolerance; }
+  // From the unit of the mesh to that of the original: a point p is at p / scale + origin.
+  void set_original(const NearCells& original, double scale, const glm::dvec3& origin);
 
   float collapse_priority(const Collapse& c) override;
 
  private:
   bool is_near(const Triangle& triangle) const;
 
-  IsWithin is_within_;
+  const NearCells* original_ = nullptr;
+  double scale_ = 1;
+  glm::dvec3 origin_{0};
+  double tolerance_ = 0;  // in the unit of the mesh
   std::vector<Triangle> triangles_;
-  double tolerance_ = 0;
 };
 
 }  // namespace lkao::lod

@@ -174,9 +174,18 @@ Surface::~Surface() = default;
 Surface::Surface(Surface&&) noexcept = default;
 Surface& Surface::operator=(Surface&&) noexcept = default;
 
-Surface::Nearest Surface::nearest(const glm::dvec3& point) const {
+Surface::Nearest Surface::nearest(const glm::dvec3& point, double limit) const {
   Search search = data_->search(point);
-  run_query(data_->scene.get(), search, std::numeric_limits<float>::infinity(), visit_triangle);
+  run_query(data_->scene.get(), search, static_cast<float>(limit) * 1.000001f + search.margin, visit_triangle);
+  return {std::sqrt(search.best), search.triangle};
+}
+
+Surface::Nearest Surface::nearest_from(const glm::dvec3& point, std::uint32_t guess) const {
+  Search search = data_->search(point);
+  search.best = squared_distance(point, triangle_at(search.positions, search.triangles[guess]));
+  search.triangle = guess;
+  const float radius = static_cast<float>(std::sqrt(search.best)) * 1.000001f + search.margin;
+  run_query(data_->scene.get(), search, radius, visit_triangle);
   return {std::sqrt(search.best), search.triangle};
 }
 
@@ -209,13 +218,16 @@ std::vector<Distance> triangle_distances(const TriangleMesh& from, const Surface
     }
   }
   std::vector<Distance> distances(from.triangles.size());
-  const auto measure = [&](std::uint32_t t) {
+  // `guess`: the nearest triangle of the sample before is often near to the next one.
+  const auto measure = [&](std::uint32_t t, std::uint32_t& guess) {
     const Triangle triangle = triangle_at(from.positions, from.triangles[t]);
     Distance& distance = distances[t];
     distance.area = area_of(triangle);
     if (!coincident.empty() && coincident[t] != 0) return;
     const auto take = [&](const glm::dvec3& point, double area) {
-      const double length = to.nearest(point).distance;
+      const Surface::Nearest nearest = guess == kNobody ? to.nearest(point) : to.nearest_from(point, guess);
+      const double length = nearest.distance;
+      guess = nearest.triangle;
       distance.maximum = std::max(distance.maximum, length);
       distance.squared_sum += area * length * length;
       ++distance.sample_count;
@@ -233,7 +245,8 @@ std::vector<Distance> triangle_distances(const TriangleMesh& from, const Surface
   };
   using Range = tbb::blocked_range<std::uint32_t>;
   const auto measure_range = [&](const Range& range) {
-    for (std::uint32_t t = range.begin(); t < range.end(); ++t) measure(t);
+    std::uint32_t guess = kNobody;
+    for (std::uint32_t t = range.begin(); t < range.end(); ++t) measure(t, guess);
   };
   const Range all(0, static_cast<std::uint32_t>(from.triangles.size()), 64);
   tbb::this_task_arena::isolate([&] { tbb::parallel_for(all, measure_range); });

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <span>
 #include <vector>
@@ -42,8 +43,11 @@ class Surface {
     double distance = 0;
     std::uint32_t triangle = 0;
   };
-  // The nearest triangle (one of them where several are equally near). Any thread.
-  Nearest nearest(const glm::dvec3& point) const;
+  // The nearest triangle (one of them where several are equally near). Where none is nearer than `limit`, infinity. Any
+  // thread.
+  Nearest nearest(const glm::dvec3& point, double limit = std::numeric_limits<double>::infinity()) const;
+  // The same, quicker where triangle `guess` is about as near.
+  Nearest nearest_from(const glm::dvec3& point, std::uint32_t guess) const;
   // True where some triangle is at most this far from the point. Any thread.
   bool is_within(const glm::dvec3& point, double distance) const;
 

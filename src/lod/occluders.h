@@ -1,8 +1,8 @@
-// A chain as the methods take it, without the levels that no ray of a query or a frame reaches: those that begin at
-// `radius` or beyond it. The original is always there.
+// A chain as the methods take it, without the levels that are of no use to them: those that no ray of a query or a
+// frame reaches, since they begin at `radius` or beyond it, and those that save too little. The original is always
+// there.
 #pragma once
 
-#include <span>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -12,13 +12,23 @@
 
 namespace lkao::lod {
 
-// Those levels.
-std::span<const Level> levels_within(const Chain& chain, float radius);
+// A level that keeps more than this share of the triangles of the next finer one in use is left out: each level in use
+// costs triangles of its own, and so few saved are not worth it.
+inline constexpr double kMostKeptShare = 0.75;
 
-// Builds a hierarchy for every level, for AmbientOcclusion.
+// A level in use. Where coarser ones are left out, it stands for their distances too, and the error can only fall.
+struct LevelInUse {
+  const scene::Mesh* mesh;
+  float r_min, r_max;
+};
+
+// Those levels; their ranges tile [0, infinity). The chain must outlive them.
+std::vector<LevelInUse> levels_in_use(const Chain& chain, float radius);
+
+// Builds a hierarchy for every level in use, for AmbientOcclusion.
 std::vector<OccluderLevel> build_levels(const Chain& chain, float radius);
 
-// All levels as one mesh, with [r_min, r_max] of each triangle, for gl::OcclusionPass.
+// All levels in use as one mesh, with [r_min, r_max] of each triangle, for gl::OcclusionPass.
 struct RangedMesh {
   scene::Mesh mesh;
   std::vector<glm::vec2> ranges;

@@ -1,30 +1,93 @@
 #include "lod/part_decimater.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
+#include <mutex>
 
 #include <OpenMesh/Core/System/omstream.hh>
-#include <OpenMesh/Tools/Decimater/DecimaterT.hh>
 #include <OpenMesh/Tools/Decimater/ModNormalFlippingT.hh>
 #include <OpenMesh/Tools/Decimater/Observer.hh>
 
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/partitioner.h>
+#include <oneapi/tbb/task_arena.h>
 #include <glm/geometric.hpp>
 
 #include "lod/decimater_modules.h"
+#include "lod/lazy_decimater.h"
+#include "lod/regions.h"
 
 namespace lkao::lod {
 namespace {
 
-using Decimater = OpenMesh::Decimater::DecimaterT<HalfEdgeMesh>;
 using NormalFlipping = OpenMesh::Decimater::ModNormalFlippingT<HalfEdgeMesh>;
+
+// Where more vertices than this may go, they are worked on in regions of at most half as many.
+constexpr std::size_t kMostAtOnce = 16384;
+
+// Passes on what goes, from several threads.
+class Removals {
+ public:
+  explicit Removals(PartDecimater::OnRemoved on_removed) : on_removed_(std::move(on_removed)) {}
+  void add(std::size_t count) {
+    const std::lock_guard lock(mutex_);
+    on_removed_(count);
+  }
+
+ private:
+  PartDecimater::OnRemoved on_removed_;
+  std::mutex mutex_;
+};
 
 class RemovalObserver : public OpenMesh::Decimater::Observer {
  public:
-  explicit RemovalObserver(PartDecimater::OnRemoved on_removed) : Observer(kInterval), on_removed_(on_removed) {}
-  void notify(std::size_t) override { on_removed_(2 * kInterval); }  // a collapse takes two triangles
+  explicit RemovalObserver(Removals& removals) : Observer(kInterval), removals_(removals) {}
+  void notify(std::size_t) override { removals_.add(2 * kInterval); }  // a collapse takes two triangles
 
  private:
-  static constexpr std::size_t kInterval = 1024;
-  PartDecimater::OnRemoved on_removed_;
+  static constexpr std::size_t kInterval = 256;
+  Removals& removals_;
+};
+
+// What all regions are simplified by. Lengths in the unit of the mesh.
+struct Rule {
+  const NearCells& original;
+  double scale;  // from the unit of the original
+  glm::dvec3 origin;
+  double tolerance_from_mesh;
+};
+
+// A decimater with the modules, in the order of their cost: the first that objects ends the question.
+class Worker {
+ public:
+  Worker(HalfEdgeMesh& mesh, const Rule& rule, Removals& removals) : decimater_(mesh), observer_(removals) {
+    GateModule::Handle gate;
+    NormalFlipping::Handle flipping;
+    BorderModule::Handle border;
+    GoneModule::Handle gone;
+    ReachModule::Handle reach;
+    QuadricModule::Handle quadric;
+    decimater_.add(gate);
+    decimater_.add(flipping);
+    decimater_.add(border);
+    decimater_.add(gone);
+    decimater_.add(reach);
+    decimater_.add(quadric);
+    decimater_.module(border).set_tolerance(rule.tolerance_from_mesh);
+    decimater_.module(gone).set_tolerance(rule.tolerance_from_mesh);
+    decimater_.module(reach).set_original(rule.original, rule.scale, rule.origin);
+    decimater_.set_observer(&observer_);
+    decimater_.initialize();
+  }
+
+  void decimate(std::span<const HalfEdgeMesh::VertexHandle> vertices, double most_cost) {
+    decimater_.decimate(vertices, most_cost);
+  }
+
+ private:
+  LazyDecimater decimater_;
+  RemovalObserver observer_;
 };
 
 // OpenMesh prints where it refuses a face; we count instead.
@@ -41,16 +104,17 @@ struct PartDecimater::Data {
   glm::dvec3 origin{0};                        // of `mesh`, in the scene
   double scale = 1;                            // from the scene's unit to the mesh's
   std::size_t refused_count = 0;
-  RemovalObserver observer;
-  std::unique_ptr<Decimater> decimater;  // goes before the mesh
-  BorderModule::Handle border;
-  GoneModule::Handle gone;
-  ReachModule::Handle reach;
+  Removals removals;
 
-  Data(const scene::Mesh& original, const Surface& surface, OnRemoved on_removed) : observer(std::move(on_removed)) {
+  Data(const scene::Mesh& original, OnRemoved on_removed) : removals(std::move(on_removed)) {
     add_vertices(original);
     for (const glm::uvec3& triangle : original.triangles) add_triangle(triangle);
-    add_modules(surface);
+    mesh.request_vertex_status();
+    mesh.request_edge_status();
+    mesh.request_face_status();
+    mesh.request_face_normals();
+    mesh.update_face_normals();
+    set_quadrics(mesh);
   }
 
   // OpenMesh compares squares of areas with absolute limits: the part is brought to size 1 around the origin. By a
@@ -81,50 +145,73 @@ struct PartDecimater::Data {
     mesh.add_face(corners[0], corners[1], corners[2]);
   }
 
-  // In the order of their cost; the first that objects ends the question.
-  void add_modules(const Surface& surface) {
-    mesh.request_face_normals();
-    mesh.update_face_normals();
-    decimater = std::make_unique<Decimater>(mesh);
-    GateModule::Handle gate;
-    NormalFlipping::Handle flipping;
-    QuadricModule::Handle quadric;
-    decimater->add(gate);
-    decimater->add(flipping);
-    decimater->add(border);
-    decimater->add(gone);
-    decimater->add(reach);
-    decimater->add(quadric);
-    decimater->module(gate).set_quadric(decimater->module(quadric));
-    decimater->module(reach).set_original([this, &surface](const glm::dvec3& p, double distance) {
-      return surface.is_within(p / scale + origin, distance / scale);
-    });
-    decimater->set_observer(&observer);
-    decimater->initialize();
+  void lock(std::span<const std::uint8_t> locked) {
+    for (const auto vertex : mesh.vertices()) {
+      const bool is_locked = !locked.empty() && locked[original_vertex[static_cast<std::size_t>(vertex.idx())]] != 0;
+      mesh.status(vertex).set_locked(is_locked || mesh.valence(vertex) > kMostNeighbours);
+    }
   }
 
-  void set_tolerance(double tolerance, double tolerance_from_mesh) {
-    decimater->module(border).set_tolerance(tolerance_from_mesh);
-    decimater->module(gone).set_tolerance(tolerance_from_mesh);
-    decimater->module(reach).set_tolerance(tolerance);
-    decimater->module(gone).add_samples();
+  // Those of the vertices that may go as far as is known.
+  template <typename Vertices>
+  VertexGroup open(const Vertices& vertices) const {
+    VertexGroup group;
+    for (const HalfEdgeMesh::VertexHandle vertex : vertices) {
+      if (!mesh.status(vertex).locked() && !mesh.data(vertex).is_settled) group.push_back(vertex);
+    }
+    return group;
+  }
+
+  // While there is much to do, in rounds: each goes up to the same cost in all regions, so that collapses come nearly
+  // in the order of their cost as they would without regions, and what stayed between two regions is inside of one in
+  // the next round, whose regions are others. The rest at once.
+  void decimate(const Rule& rule) {
+    VertexGroup left = open(mesh.vertices());
+    double most_cost = 0;
+    while (left.size() > kMostAtOnce) {
+      // At least twice as much as before: the cheapest collapse of a vertex may have been refused.
+      most_cost = std::max(2 * most_cost, median_cost(left));
+      decimate_regions(rule, most_cost);
+      const std::size_t before = left.size();
+      left = open(mesh.vertices());
+      if (left.size() > before / 16 * 15) break;
+    }
+    join_regions(mesh);
+    Worker(mesh, rule, removals).decimate(left, std::numeric_limits<double>::infinity());
+  }
+
+  double median_cost(const VertexGroup& vertices) const {
+    std::vector<double> costs;
+    for (const HalfEdgeMesh::VertexHandle vertex : vertices) costs.push_back(least_cost(mesh, vertex));
+    const auto middle = costs.begin() + static_cast<std::ptrdiff_t>(costs.size() / 2);
+    std::ranges::nth_element(costs, middle);
+    return *middle;
+  }
+
+  void decimate_regions(const Rule& rule, double most_cost) {
+    const std::vector<VertexGroup> groups = split_into_regions(mesh, kMostAtOnce / 2);
+    std::vector<std::unique_ptr<Worker>> workers;  // made and destroyed here: the mesh counts them
+    for (std::size_t i = 0; i < groups.size(); ++i) {
+      workers.push_back(std::make_unique<Worker>(mesh, rule, removals));
+    }
+    const auto work = [&](std::size_t i) { workers[i]->decimate(open(groups[i]), most_cost); };
+    // Isolated: while it waits for the others, this thread must not begin another part.
+    tbb::this_task_arena::isolate(
+        [&] { tbb::parallel_for(std::size_t{0}, groups.size(), work, tbb::simple_partitioner()); });
   }
 };
 
-PartDecimater::PartDecimater(const scene::Mesh& mesh, const Surface& surface, OnRemoved on_removed) {
+PartDecimater::PartDecimater(const scene::Mesh& mesh, OnRemoved on_removed) {
   silence_openmesh();
-  data_ = std::make_unique<Data>(mesh, surface, std::move(on_removed));
+  data_ = std::make_unique<Data>(mesh, std::move(on_removed));
 }
 PartDecimater::~PartDecimater() = default;
 
-void PartDecimater::decimate(double tolerance, double distance_before, std::span<const std::uint8_t> locked) {
-  data_->set_tolerance(tolerance * data_->scale, (tolerance - distance_before) * data_->scale);
-  for (const auto vertex : data_->mesh.vertices()) {
-    const std::uint32_t original = data_->original_vertex[static_cast<std::size_t>(vertex.idx())];
-    const bool is_locked = !locked.empty() && locked[original] != 0;
-    data_->mesh.status(vertex).set_locked(is_locked || data_->mesh.valence(vertex) > kMostNeighbours);
-  }
-  data_->decimater->decimate();
+void PartDecimater::decimate(const NearCells& original, double distance_before, std::span<const std::uint8_t> locked) {
+  const double tolerance_from_mesh = (original.distance() - distance_before) * data_->scale;
+  add_samples(data_->mesh, tolerance_from_mesh);
+  data_->lock(locked);
+  data_->decimate({original, data_->scale, data_->origin, tolerance_from_mesh});
 }
 
 std::vector<SimplifiedTriangle> PartDecimater::triangles() const {

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "lod/distance.h"
+#include "lod/near_cells.h"
 #include "scene/mesh.h"
 
 namespace lkao::lod {
@@ -23,18 +23,18 @@ struct SimplifiedTriangle {
 // stay holes and closed parts closed: no collapse changes the topology, a part keeps a triangle at least.
 class PartDecimater {
  public:
-  // Told how many triangles went since it was told last; what it throws ends decimate().
+  // Told how many triangles went since it was told last, one call at a time; what it throws ends decimate().
   using OnRemoved = std::function<void(std::size_t)>;
 
-  // The mesh must be manifold but for few exceptions, and without zero areas. `original` is the surface to stay near
-  // to: the mesh itself, or what it was simplified from. It must outlive the object.
-  PartDecimater(const scene::Mesh& mesh, const Surface& original, OnRemoved on_removed);
+  // The mesh must be manifold but for few exceptions, and without zero areas.
+  PartDecimater(const scene::Mesh& mesh, OnRemoved on_removed);
   ~PartDecimater();
 
-  // Removes what can go so that new triangles lie within the tolerance of the original, and, within the tolerance less
-  // `distance_before` (how far the original may be from the mesh already), every vertex gone of the surface, and old
-  // borders of new ones. The vertices marked in `locked` (empty: none) stay. To be called once.
-  void decimate(double tolerance, double distance_before, std::span<const std::uint8_t> locked);
+  // Removes what can go so that new triangles lie near to the original (the mesh itself, or what it was simplified
+  // from), and, within that distance less `distance_before` (how far the original may be from the mesh already), every
+  // vertex gone of the surface, and old borders of new ones. The vertices marked in `locked` (empty: none) stay. In
+  // parallel; the same result at any number of threads. To be called once.
+  void decimate(const NearCells& original, double distance_before, std::span<const std::uint8_t> locked);
 
   std::vector<SimplifiedTriangle> triangles() const;
 

@@ -15,6 +15,8 @@ constexpr double kMostOfSize = 1.0 / 8;
 // What the decimater is told of epsilon, so that what it does not sample seldom lies beyond.
 constexpr double kShareOfEpsilon = 0.9;
 constexpr int kMostRedos = 8;
+// Remembered of where is near to the part.
+constexpr std::size_t kCellsPerTriangle = 4;
 
 bool same_triangle(const glm::uvec3& a, const glm::uvec3& b) {
   return a == b || a == glm::uvec3(b.y, b.z, b.x) || a == glm::uvec3(b.z, b.x, b.y);
@@ -25,6 +27,7 @@ class Simplifier {
   Simplifier(const scene::Mesh& part, std::span<const PartGoal> goals, const PartDecimater::OnRemoved& on_removed)
       : part_(part), goals_(goals), on_removed_(on_removed), surface_(part.view()) {
     const Bounds bounds = scene::bounds_of(part);
+    lower_ = bounds.lower;
     const double size = glm::distance(glm::dvec3(bounds.lower), glm::dvec3(bounds.upper));
     most_tolerance_ = kMostOfSize * std::min(size, area_of(part.view()) / size);
   }
@@ -52,10 +55,11 @@ class Simplifier {
     begin_with(before);
     PartLevel level;
     std::vector<std::uint8_t> locked;  // vertices; empty: none
+    const NearCells original(surface_, tolerance(i), lower_, kCellsPerTriangle * part_.triangles.size());
     for (; level.redo_count <= kMostRedos; ++level.redo_count) {
-      PartDecimater decimater(base_mesh_, surface_, on_removed_);
+      PartDecimater decimater(base_mesh_, on_removed_);
       if (i == 0) result_.refused_count = decimater.refused_count();
-      decimater.decimate(tolerance(i), before.from_original.maximum, locked);
+      decimater.decimate(original, before.from_original.maximum, locked);
       level.triangles = decimater.triangles();
       for (SimplifiedTriangle& triangle : level.triangles) triangle.origin = before.triangles[triangle.origin].origin;
       if (verify(goals_[i], level, locked)) return level;
@@ -131,7 +135,8 @@ class Simplifier {
   const scene::Mesh& part_;
   std::span<const PartGoal> goals_;
   const PartDecimater::OnRemoved& on_removed_;
-  Surface surface_;  // of the part
+  Surface surface_;      // of the part
+  glm::dvec3 lower_{0};  // corner of its box
   double most_tolerance_ = 0;
   scene::Mesh base_mesh_;
   std::unique_ptr<Surface> base_surface_;

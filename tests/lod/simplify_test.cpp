@@ -3,13 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <atomic>
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 
 #include <oneapi/tbb/global_control.h>
 
 #include "lod/meshes.h"
+#include "lod/triangle_pairs.h"
 #include "scene/builtin.h"
 #include "scene/defects.h"
 
@@ -156,6 +157,44 @@ TEST(Simplify, TheSameOnAnyNumberOfThreads) {
     EXPECT_EQ(parallel.report.levels[i].from_original.maximum, serial.report.levels[i].from_original.maximum);
     EXPECT_EQ(parallel.report.levels[i].to_original.rms(), serial.report.levels[i].to_original.rms());
   }
+}
+
+// Large enough to be simplified in several regions at a time, over several rounds.
+scene::Mesh bumpy_ball() {
+  scene::Mesh mesh = ball(1, 240);
+  for (glm::vec3& p : mesh.positions) p *= 1 + 0.02f * std::sin(9 * p.x) * std::sin(11 * p.y) * std::sin(10 * p.z);
+  return mesh;
+}
+
+TEST(Simplify, OneLargePartIsTheSameOnAnyNumberOfThreads) {
+  const scene::Mesh mesh = bumpy_ball();
+  const auto simplify_on = [&](std::size_t thread_count) {
+    const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, thread_count);
+    return simplify(mesh, options(0.02f, 2));
+  };
+  const Simplified serial = simplify_on(1);
+  EXPECT_EQ(serial.report.simplified_part_count, 1u);
+  for (const std::size_t thread_count : {2u, 5u}) {
+    const Simplified parallel = simplify_on(thread_count);
+    for (std::size_t i = 0; i < parallel.chain.levels.size(); ++i) {
+      EXPECT_EQ(parallel.chain.levels[i].mesh.positions, serial.chain.levels[i].mesh.positions) << thread_count;
+      EXPECT_EQ(parallel.chain.levels[i].mesh.triangles, serial.chain.levels[i].mesh.triangles) << thread_count;
+    }
+  }
+}
+
+// Every edge has a triangle on both sides, and the levels are still balls.
+TEST(Simplify, ALargeClosedMeshStaysClosedAcrossRegions) {
+  const scene::Mesh mesh = bumpy_ball();
+  const Simplified result = simplify(mesh, options(0.02f, 3));
+  expect_good_chain(mesh, result);
+  for (const Level& level : result.chain.levels) {
+    const TrianglePairs pairs = pair_triangles(level.mesh.positions, level.mesh.triangles);
+    EXPECT_EQ(pairs.border_edge_count + pairs.wrong_winding_count + pairs.crowded_edge_count, 0u);
+    // Euler: V - E + F = 2, with three half-edges a triangle.
+    EXPECT_EQ(2 * level.mesh.positions.size(), level.mesh.triangles.size() + 4);
+  }
+  EXPECT_LT(result.report.levels[1].triangle_count, mesh.triangles.size() / 30);
 }
 
 TEST(Simplify, ProgressReachesTheEndAndNeverGoesBack) {
