@@ -25,9 +25,9 @@ struct Bounds {
 };
 
 struct BuildOptions {
-  // Let the builder cut long triangles by splitting their boxes. Takes 2 to 5 times as long to build (13
-  // times in a hairball) and up to half as much memory again. Saves a third of the boxes visited in streets
-  // and buildings and next to nothing in scans.
+  // Let the builder cut long triangles by splitting their boxes. Takes 3 to 6 times as long to build and up to a third
+  // more memory. By the surface area heuristic it saves 5 to 17 % of the work in rooms and dioramas, 2 to 4 %
+  // outdoors and next to nothing in scans (bench/results/build.csv).
   bool spatial_splits = true;
 };
 
