@@ -1,4 +1,4 @@
-// From a mesh to a finished hierarchy, through Embree's builder.
+// From a mesh to a finished hierarchy.
 #pragma once
 
 #include <memory>
