@@ -149,8 +149,8 @@ class SimdTraversal {
   }
 
   // `active`: rays that may meet the node. Those that were blocked in the meantime are left out here. The last children
-  // come first: the builder puts those with the fewest triangles there, among them large ones by themselves, which block
-  // most for the least work.
+  // come first: the builder puts those with the fewest triangles there, among them large ones by themselves, which
+  // block most for the least work.
   void visit(const Node& node, const ActiveRays& active) {
     const RelativeBoxes<Parts> boxes(node, query_.rays.origin, query_.rays.up, query_.near(), query_.far());
     if (rays_.chunk_count >= kManyChunks) {
