@@ -41,11 +41,13 @@ const NamedPattern& kept_pattern(PatternKind kind, int ray_count, const Falloff&
 NamedPattern custom_pattern(ByteSource& bytes) {
   constexpr int kCounts[] = {64, 128, 192};
   const int ray_count = bytes.pick(kCounts);
+  // Over the hemisphere, or towards a scene that is a dot.
+  const float spread = bytes.once_in(3) ? std::pow(10.0f, -5 * bytes.share()) : 1;
   std::vector<glm::vec2> points;
   std::vector<float> lengths;
   lut::RandomStream random(bytes.next_byte());
   for (int i = 0; i < ray_count; ++i) {
-    const float radius = std::sqrt(uniform(random, 0, 0.9999f));
+    const float radius = spread * std::sqrt(uniform(random, 0, 0.9999f));
     const float turn = uniform(random, 0, 2 * std::numbers::pi_v<float>);
     points.emplace_back(radius * std::cos(turn), radius * std::sin(turn));
     lengths.push_back(uniform(random, 0, 1));
@@ -95,6 +97,10 @@ class QueryCaseDecoder {
     std::vector<Receiver> receivers;
     for (std::size_t i = 0; i < receiver_count; ++i) receivers.push_back(decode_receiver());
     const float level_end = decode_level_end(options.radius, receivers);
+    // An infinite radius makes rays of all lengths the same, which a table cannot.
+    const std::span<const float> lengths = pattern.pattern.lengths();
+    const bool are_equal = std::equal(lengths.begin() + 1, lengths.end(), lengths.begin());
+    if (std::isinf(options.radius) && !are_equal) pattern.table.reset();
     return {is_wild_, std::move(soup_.mesh), build,       pattern.pattern, std::move(pattern.name), pattern.table,
             options,  std::move(receivers),  first_index, level_end};
   }
@@ -118,11 +124,14 @@ class QueryCaseDecoder {
   float decode_level_end(float radius, std::vector<Receiver>& receivers) {
     if (!bytes_.once_in(2)) return 0;
     for (Receiver& receiver : receivers) receiver.excluded_primitive = kNoPrimitive;
-    return radius * 1.1f * bytes_.share();
+    const float most = std::isinf(radius) ? 3 * soup_.placement.scale : radius;
+    return most * 1.1f * bytes_.share();
   }
 
-  // From a thousandth of the soup to far beyond it.
+  // From a thousandth of the soup to far beyond it, and without end.
   float decode_radius() {
+    if (bytes_.once_in(6)) return std::numeric_limits<float>::infinity();
+    if (bytes_.once_in(6)) return soup_.placement.scale * std::pow(10.0f, 6 * bytes_.share());
     const float radius = soup_.placement.scale * std::pow(10.0f, 5 * bytes_.share() - 3);
     return is_wild_ ? std::pow(10.0f, 18 * bytes_.coordinate()) : radius;
   }
@@ -151,10 +160,19 @@ class QueryCaseDecoder {
     } else {
       put_on_triangle(receiver, bytes_.below(triangle_count));
     }
+    if (bytes_.once_in(8)) put_far_outside(receiver);
     if (is_wild_ && bytes_.once_in(4)) receiver.position = raw_point(bytes_);
     if (bytes_.once_in(4)) receiver.geometric_normal = receiver.normal + direction_or_worse();
     if (bytes_.once_in(8)) receiver.excluded_primitive = bytes_.below(triangle_count + 1);
     return receiver;
+  }
+
+  // Up to 10,000 times as far away as the soup is large, mostly looking back at it.
+  void put_far_outside(Receiver& receiver) {
+    const glm::vec3 from = direction();
+    const float distance = soup_.placement.scale * std::pow(10.0f, 4 * bytes_.share());
+    receiver.position = soup_.placement.place(glm::vec3(0)) + distance * from;
+    if (!bytes_.once_in(4)) receiver.normal = -from;
   }
 
   // On a corner, an edge or the face; mostly with the triangle's normal.

@@ -1,5 +1,6 @@
 // Scenes of awkward sizes in awkward places, and boxes and rays along the axes.
 #include <cmath>
+#include <limits>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -43,6 +44,42 @@ HardCase moved(float offset) {
 HardCase radii() {
   HardCase made{sphere_and_soup(), usual_pattern()};
   add_usual_groups(made, 40, 4, {1e-4f, 1e-3f, 1e-2f, 0.1f, 1, 10, 1e3f, 1e6f});
+  return made;
+}
+
+// Rays without end, of one length: tables know no others.
+HardCase endless() {
+  HardCase made{sphere_and_soup(), SamplePattern::standard(128)};
+  add_usual_groups(made, 64, 11, {std::numeric_limits<float>::infinity()});
+  return made;
+}
+
+// A pattern that has rays for a scene at any distance: as many within a tenth of an angle as within it.
+SamplePattern telescope_pattern() {
+  std::vector<glm::vec2> points;
+  std::vector<float> lengths(128, 1.0f);
+  for (int i = 0; i < 128; ++i) {
+    const float away = 0.9f * std::pow(10.0f, -6.0f * static_cast<float>(i) / 127), turn = 2.4f * static_cast<float>(i);
+    points.emplace_back(away * std::cos(turn), away * std::sin(turn));
+  }
+  return SamplePattern::from_disk(points, lengths);
+}
+
+// Receivers up to a million times as far away as the scene is large, looking at it; with rays that end within it,
+// behind it, or nowhere.
+HardCase far_outside() {
+  HardCase made{sphere_and_soup(), telescope_pattern()};
+  lut::RandomStream random(12);
+  for (const float distance : {2.0f, 10.0f, 1e3f, 1e6f}) {
+    for (const float radius : {distance, 3 * distance, std::numeric_limits<float>::infinity()}) {
+      made.groups.push_back({{.radius = radius, .surface_offset = 0}});
+      for (int i = 0; i < 16; ++i) {
+        const glm::vec3 from = random_direction(random);
+        const glm::vec3 target = random_point(random, 0.5f);
+        made.groups.back().receivers.push_back({.position = target + distance * from, .normal = -from});
+      }
+    }
+  }
   return made;
 }
 
@@ -151,6 +188,8 @@ std::vector<NamedCase> space_cases() {
       {"OffsetOf1e4", [] { return moved(1e4f); }},
       {"OffsetOf1e6", [] { return moved(1e6f); }},
       {"RadiusFrom1em4To1e6", radii},
+      {"RaysWithoutEnd", endless},
+      {"ReceiversFarOutside", far_outside},
       {"MagnitudesFrom1em4To1e4",
        [] {
          return mixed_magnitudes(-4, 4, {1e-7f, 1e-4f, 0.3f, 10});
