@@ -36,6 +36,7 @@ std::span<const Part> parts() { return {}; }
 
 #include "bvh/simd/box_masks-inl.h"
 #include "bvh/simd/leaf_frames-inl.h"
+#include "bvh/simd/leaf_planes-inl.h"
 #include "bvh/simd/ray_sets-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -149,20 +150,25 @@ void leaf_16_rays(benchmark::State& state) {
   const simd::WholeRays whole(query);
   const simd::LeafReceiver receiver(here.occluders.layout(), query);
   run_leaves<kLaneCount>(state, [&](const bvh::Leaf& leaf, int first) {
-    const simd::LeafFrames frames(receiver, leaf);
-    return simd::LeafPlanes(frames).blocked(rays, whole, first / kLaneCount);
+    const bvh::Leaf* const leaves[] = {&leaf};
+    simd::LeafFrames<1> frames(receiver, leaves);
+    frames.decide_sides(receiver);
+    return simd::LeafPlanes(frames, here.radius, frames.candidates()).blocked(rays, whole, first / kLaneCount);
   });
 }
 
 void leaf_1_ray(benchmark::State& state) {
   const Surroundings& here = surroundings();
   const bvh::Query query = here.query();
+  const simd::RaySet rays(query);
   const simd::WholeRays whole(query);
   const simd::LeafReceiver receiver(here.occluders.layout(), query);
   run_leaves<1>(state, [&](const bvh::Leaf& leaf, int ray) {
-    const simd::LeafFrames frames(receiver, leaf);
-    const Verdict triangles =
-        frames.blocked(here.rays.x[ray], here.rays.y[ray], here.rays.z[ray], whole, static_cast<std::uint32_t>(ray));
+    const bvh::Leaf* const leaves[] = {&leaf};
+    const std::uint32_t numbers[] = {static_cast<std::uint32_t>(ray)};
+    simd::LeafFrames<1> frames(receiver, leaves);
+    frames.decide_sides(receiver);
+    const Verdict triangles = frames.blocked(rays, whole, numbers);
     return Verdict{triangles.sure != 0, triangles.perhaps != 0};
   });
 }

@@ -137,6 +137,9 @@ class LeafFrames {
     candidates_ &= ~sides.cannot_block;
   }
 
+  // Triangles that can block a ray at all.
+  std::uint32_t candidates() const { return candidates_; }
+
   // Triangles that block the ray of their leaf.
   template <class Parts>
   HWY_INLINE Verdict blocked(const RaySet& rays, const Parts& parts, const std::uint32_t (&numbers)[kCount]) const {
