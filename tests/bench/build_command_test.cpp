@@ -24,11 +24,12 @@ class BuildCommand : public ProgramTest {
     arguments.insert(arguments.end(), more.begin(), more.end());
     EXPECT_THAT(expect_success(arguments).out, testing::HasSubstr("Peak memory"));
     std::istringstream file(read_file("build.csv"));
-    std::string line;
-    std::getline(file, line);
-    EXPECT_EQ(line,
-              "scene,triangles,threads,method,seconds,bytes_per_triangle,mesh_bytes_per_triangle,time_ratio,"
-              "memory_ratio");
+    std::string line = "#";
+    while (line.starts_with('#')) std::getline(file, line);  // what it was measured on
+    EXPECT_EQ(
+        line,
+        "scene,triangles,threads,method,seconds,cpu_seconds,bytes_per_triangle,mesh_bytes_per_triangle,time_ratio,"
+        "cpu_time_ratio,memory_ratio,nodes,references,sah_nodes,sah_leaves,query_us");
     std::vector<Row> rows;
     while (std::getline(file, line)) rows.push_back(parse(line));
     return rows;
@@ -39,28 +40,28 @@ class BuildCommand : public ProgramTest {
     std::vector<std::string> f;
     std::istringstream stream(line + ",");
     for (std::string field; std::getline(stream, field, ',');) f.push_back(field);
-    EXPECT_EQ(f.size(), 9u) << line;
+    EXPECT_EQ(f.size(), 16u) << line;
     return {f.at(0),
             f.at(2),
             f.at(3),
-            f.at(7),
             f.at(8),
+            f.at(10),
             std::stod(f.at(1)),
             std::stod(f.at(4)),
-            std::stod(f.at(5)),
-            std::stod(f.at(6))};
+            std::stod(f.at(6)),
+            std::stod(f.at(7))};
   }
 };
 
 TEST_F(BuildCommand, MeasuresEveryMethodOnEveryNumberOfThreads) {
   const std::vector<Row> rows = measure({"--scenes", "wall,sphere", "--threads", "1,2"});
-  ASSERT_EQ(rows.size(), 2u * 2 * 3);
-  const char* methods[] = {"lkao", "embree_high", "embree_medium"};
+  ASSERT_EQ(rows.size(), 2u * 2 * 4);
+  const char* methods[] = {"lkao", "lkao_no_splits", "embree_high", "embree_medium"};
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    const Row &row = rows[i], &lkao = rows[i / 3 * 3];
-    EXPECT_EQ(row.scene, i < 6 ? "wall" : "sphere");
-    EXPECT_EQ(row.threads, i / 3 % 2 == 0 ? "1" : "2");
-    EXPECT_EQ(row.method, methods[i % 3]);
+    const Row &row = rows[i], &lkao = rows[i / 4 * 4];
+    EXPECT_EQ(row.scene, i < 8 ? "wall" : "sphere");
+    EXPECT_EQ(row.threads, i / 4 % 2 == 0 ? "1" : "2");
+    EXPECT_EQ(row.method, methods[i % 4]);
     EXPECT_GT(row.seconds, 0);
     EXPECT_NEAR(std::stod(row.time_ratio), lkao.seconds / row.seconds, 1e-3 * std::stod(row.time_ratio));
     EXPECT_NEAR(std::stod(row.memory_ratio), lkao.bytes_per_triangle / row.bytes_per_triangle, 1e-3);
