@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 
@@ -41,8 +42,8 @@ class BlockerMemory {
     const float pairs = static_cast<float>(3 * work.pair_count + work.test_count);
     guesses_ = share * share * pairs >= 0.75f * static_cast<float>(3 * work.ray_count);
     if (guesses_ && leaves_ == nullptr) {
-      leaves_ = std::make_unique<std::uint32_t[]>(kCellsPerAxis * kCellsPerAxis);
-      std::fill_n(leaves_.get(), kCellsPerAxis * kCellsPerAxis, kNone);
+      leaves_ = std::make_unique<std::uint32_t[]>(kCellCount);
+      std::fill_n(leaves_.get(), kCellCount, kNone);
     }
   }
 
@@ -88,6 +89,7 @@ class BlockerMemory {
 
  private:
   static constexpr unsigned kPeriod = 64;
+  static constexpr std::size_t kCellCount = std::size_t{kCellsPerAxis} * kCellsPerAxis;
 
   bool guesses_ = false, is_observed_ = false;
   unsigned age_ = 0;

@@ -11,7 +11,10 @@
 namespace lkao::bvh {
 
 // Vectors of triangles that hold so many: what leaves cost.
-inline float leaf_cost(std::size_t piece_count) { return static_cast<float>((piece_count + 3) / 4); }
+inline float leaf_cost(std::size_t piece_count) {
+  const std::size_t leaf_count = (piece_count + 3) / 4;
+  return static_cast<float>(leaf_count);
+}
 
 // Which bin a piece belongs to, by its center, along each axis.
 class CenterMap {

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cstddef>
 #include <limits>
 
 #include <hwy/highway.h>
@@ -46,9 +47,9 @@ struct LeafReceiver {
 
 // Leaves that are answered at once, and numbers of one ray for each. Vectors of 16 lanes would hold 4, but filling them
 // costs more than it saves.
-inline constexpr int kLeavesAtOnce = hn::MaxLanes(RayTag()) >= 2 * kLeafWidth ? 2 : 1;
+inline constexpr int kLeavesAtOnce = static_cast<int>(hn::MaxLanes(RayTag())) >= 2 * kLeafWidth ? 2 : 1;
 template <int kCount>
-using LeafTag = hn::CappedTag<float, kCount * kLeafWidth>;
+using LeafTag = hn::CappedTag<float, static_cast<std::size_t>(kCount) * kLeafWidth>;
 
 // A row of each leaf, side by side.
 template <int kCount>

@@ -68,7 +68,7 @@ class RaySet {
     const hn::RebindToUnsigned<RayTag> tag;
     for (int i = 0; i < kLaneCount; i += lane_count(tag)) {
       const std::uint32_t some = lanes >> i & ((1u << lane_count(tag)) - 1);
-      hn::BlendedStore(hn::Set(tag, leaf), mask_of(tag, some), tag, blockers + chunk * kLaneCount + i);
+      hn::BlendedStore(hn::Set(tag, leaf), mask_of(tag, some), tag, &blockers[chunk * kLaneCount + i]);
     }
   }
 

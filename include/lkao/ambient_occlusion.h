@@ -163,7 +163,7 @@ class AmbientOcclusion {
   // Receiver::excluded_primitive counts. With the same occluders in all levels, and ranges that leave no gap, the
   // answers are those without levels, bit for bit. Throws std::invalid_argument where there is no level, or a range is
   // not 0 <= r_min < r_max.
-  AmbientOcclusion(std::vector<OccluderLevel> levels, SamplePattern pattern, const QueryOptions& options);
+  AmbientOcclusion(const std::vector<OccluderLevel>& levels, SamplePattern pattern, const QueryOptions& options);
 
   // Answers with the paper's look-ups instead of ray by ray: the pattern is the table's. With PlaneMasks::must_may the
   // answers are the same bit for bit, with PlaneMasks::nearest they are approximate (lut/README.md has the figures).

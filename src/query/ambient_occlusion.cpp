@@ -54,7 +54,7 @@ void validate(const PlaneMaskTable& table, const QueryOptions& options) {
 AmbientOcclusion::AmbientOcclusion(OccluderBvh occluders, SamplePattern pattern, const QueryOptions& options)
     : AmbientOcclusion(std::vector{OccluderLevel{std::move(occluders)}}, std::move(pattern), options, {}) {}
 
-AmbientOcclusion::AmbientOcclusion(std::vector<OccluderLevel> levels, SamplePattern pattern,
+AmbientOcclusion::AmbientOcclusion(const std::vector<OccluderLevel>& levels, SamplePattern pattern,
                                    const QueryOptions& options)
     : AmbientOcclusion(levels, std::move(pattern), options, {}) {}
 
