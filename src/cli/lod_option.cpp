@@ -1,13 +1,16 @@
 #include "cli/lod_option.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <sstream>
 #include <stdexcept>
+#include <vector>
 
 #include <fmt/format.h>
 
 #include "cli/parse.h"
 #include "lod/chain_file.h"
+#include "lod/occluders.h"
 
 namespace lkao::cli {
 namespace {
@@ -26,6 +29,11 @@ void set_value(lod::LevelRule& rule, const std::string& key, const std::string& 
   } else {
     throw std::invalid_argument(fmt::format("expected k=, levels=, epsilon= or growth=, got '{}'", key));
   }
+}
+
+bool is_in_use(const lod::Level& level, const lod::Chain& chain, float radius) {
+  const std::vector<lod::LevelInUse> in_use = lod::levels_in_use(chain, radius);
+  return std::any_of(in_use.begin(), in_use.end(), [&](const auto& some) { return some.mesh == &level.mesh; });
 }
 
 }  // namespace
@@ -73,22 +81,24 @@ lod::Simplified simplify_watched(const scene::Mesh& mesh, const lod::LevelRule& 
   return simplified;
 }
 
-void add_lod_row(Table& table, const lod::Chain& chain, double seconds) {
+void add_lod_row(Table& table, const lod::Chain& chain, float radius, double seconds) {
   std::string counts;
   for (const lod::Level& level : chain.levels) {
-    counts += fmt::format("{}{}", counts.empty() ? "" : ", ", grouped(level.mesh.triangles.size()));
+    counts += fmt::format("{}{}{}", counts.empty() ? "" : ", ", grouped(level.mesh.triangles.size()),
+                          is_in_use(level, chain, radius) ? "" : " (not used)");
   }
   table.add("levels", fmt::format("{} triangles, from {:.3g} on simplified; {:.3f} s", counts,
                                   chain.levels.front().r_max, seconds));
 }
 
-Json lod_json(const lod::Chain& chain, double seconds) {
+Json lod_json(const lod::Chain& chain, float radius, double seconds) {
   Json levels = Json::array();
   for (const lod::Level& level : chain.levels) {
     levels.push_back({{"triangles", level.mesh.triangles.size()},
                       {"epsilon", level.epsilon},
                       {"r_min", level.r_min},
-                      {"r_max", level.r_max}});
+                      {"r_max", level.r_max},
+                      {"in_use", is_in_use(level, chain, radius)}});
   }
   return {{"k", chain.k}, {"growth", chain.growth}, {"seconds", seconds}, {"levels", levels}};
 }

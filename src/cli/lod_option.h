@@ -26,7 +26,8 @@ lod::Chain make_chain(const LodOption& option, const scene::Mesh& mesh, float ra
 // lod::simplify, watched by the progress bar.
 lod::Simplified simplify_watched(const scene::Mesh& mesh, const lod::LevelRule& rule, ProgressBar& progress);
 
-void add_lod_row(Table& table, const lod::Chain& chain, double seconds);
-Json lod_json(const lod::Chain& chain, double seconds);
+// The chain and which of its levels are in use at this radius.
+void add_lod_row(Table& table, const lod::Chain& chain, float radius, double seconds);
+Json lod_json(const lod::Chain& chain, float radius, double seconds);
 
 }  // namespace lkao::cli

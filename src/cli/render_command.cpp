@@ -54,7 +54,7 @@ Json document_of(const RenderingOptions& options, const Rendering& result) {
   }
   document["camera"] = camera_json(result.camera);
   add_scene_keys(document, result.scene);
-  if (result.chain) document["lod"] = lod_json(*result.chain, result.lod_seconds);
+  if (result.chain) document["lod"] = lod_json(*result.chain, radius_of(options.occlusion), result.lod_seconds);
   document["build_seconds"] = result.build_seconds;
   if (result.embree_build_seconds > 0) document["embree_build_seconds"] = result.embree_build_seconds;
   document["camera_seconds"] = result.camera_seconds;
@@ -69,7 +69,9 @@ void print_table(const RenderOptions& options, const Rendering& result) {
                                     result.scene.load_seconds, result.build_seconds, result.camera_seconds));
   table.add("receivers",
             fmt::format("{} in {} x {} pixels", grouped(result.view.receiver_count), size.width, size.height));
-  if (result.chain) add_lod_row(table, *result.chain, result.lod_seconds);
+  if (result.chain) {
+    add_lod_row(table, *result.chain, radius_of(options.rendering.occlusion), result.lod_seconds);
+  }
   if (result.raster) add_raster_rows(table, *result.raster);
   add_batch_rows(table, options.rendering.method, result.batch);
   table.add("wrote", options.output + (options.preview.empty() ? "" : ", " + options.preview));

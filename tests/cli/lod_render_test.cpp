@@ -48,6 +48,17 @@ TEST_F(LodRender, TakesAnInfiniteRadius) {
   EXPECT_EQ(render({"--lod", "k=1000000,epsilon=0.1"})["reference"]["mismatched_rays"], 0);
 }
 
+// Levels that save too little, or begin behind all rays, are there but not used.
+TEST_F(LodRender, SaysWhichLevelsAreInUse) {
+  const auto in_use = [](const nlohmann::json& json) {
+    std::vector<bool> result;
+    for (const nlohmann::json& level : json["lod"]["levels"]) result.push_back(level["in_use"]);
+    return result;
+  };
+  EXPECT_EQ(in_use(rendered({"--lod", "k=2,levels=3"})).front(), true);
+  EXPECT_EQ(in_use(rendered({"--lod", "k=1000000,levels=3,epsilon=0.1"})), std::vector({true, false, false}));
+}
+
 // Levels that begin behind all rays: nothing is different.
 TEST_F(LodRender, ConvergesToTheScene) {
   const nlohmann::json json = rendered({"--lod", "k=1000000,epsilon=0.1"});
