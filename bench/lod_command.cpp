@@ -22,7 +22,7 @@ namespace lkao::bench {
 namespace {
 
 struct Options {
-  StudySceneOptions scenes = {.views = {}, .names = {}, .width = 192, .height = 144};
+  StudySceneOptions scenes = {.views = {}, .meshes = {}, .names = {}, .width = 192, .height = 144};
   FrameOptions frames;
   std::vector<float> ks = {2, 3, 5, 10};
   int level_count = 4;

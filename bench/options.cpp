@@ -6,6 +6,7 @@ namespace lkao::bench {
 
 void add_scene_options(CLI::App& app, StudySceneOptions& scenes, const std::string& built_in) {
   app.add_option("--views", scenes.views, "scenes of this views.json instead of built-in ones");
+  app.add_option("--meshes", scenes.meshes, "folder of the mesh files (default: that of views.json)");
   app.add_option("--scenes", scenes.names, "names of scenes (default: all; built in: " + built_in + ")")
       ->delimiter(',');
 }

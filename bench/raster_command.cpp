@@ -23,7 +23,7 @@ namespace {
 const std::vector<std::string> kStudies = {"methods", "culls", "shapes", "back_ends"};
 
 struct Options {
-  StudySceneOptions scenes = {.views = {}, .names = {}, .width = 512, .height = 384};
+  StudySceneOptions scenes = {.views = {}, .meshes = {}, .names = {}, .width = 512, .height = 384};
   FrameOptions frames;
   std::vector<float> radii;  // empty: the scene's own
   std::vector<std::string> studies = kStudies;

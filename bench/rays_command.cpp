@@ -26,7 +26,7 @@ namespace lkao::bench {
 namespace {
 
 struct Options {
-  StudySceneOptions scenes = {.views = {}, .names = {}, .width = 1024, .height = 768};
+  StudySceneOptions scenes = {.views = {}, .meshes = {}, .names = {}, .width = 1024, .height = 768};
   std::vector<float> radii;  // empty: compared_radii
   std::vector<int> ray_counts = {128, 1024};
   MeasureOptions measure;

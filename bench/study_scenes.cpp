@@ -27,7 +27,9 @@ StudyScene load_builtin(const std::string& name, const StudySceneOptions& option
 }
 
 std::filesystem::path mesh_path(const json& view, const StudySceneOptions& options) {
-  return std::filesystem::path(options.views).parent_path() / view.at("file").get<std::string>();
+  std::filesystem::path folder = options.meshes;
+  if (folder.empty()) folder = std::filesystem::path(options.views).parent_path();
+  return folder / view.at("file").get<std::string>();
 }
 
 scene::Mesh load_mesh(const json& view, const StudySceneOptions& options) {

@@ -30,6 +30,7 @@ StudyScene look_at(std::string name, scene::Mesh mesh, std::vector<float> radii,
 struct StudySceneOptions {
   // A file like views.json of the shared scenes: mesh files relative to it, cameras, radii. Empty: built-in scenes.
   std::string views;
+  std::string meshes;              // the folder of its mesh files; empty: the file's own
   std::vector<std::string> names;  // empty: all of the file, or atrium and city
   int width = 32;
   int height = 24;

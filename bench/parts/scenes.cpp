@@ -37,7 +37,7 @@ StudyScene make_closed_scene() {
 
 StudyScene make_scene(const std::string& name) {
   if (name == "closed") return make_closed_scene();
-  return std::move(load_study_scenes({"", {name}, kImageWidth, kImageHeight}).front());
+  return std::move(load_study_scenes({"", "", {name}, kImageWidth, kImageHeight}).front());
 }
 
 template <typename Item>
