@@ -24,5 +24,8 @@ if(LKAO_BUILD_GL)
 endif()
 
 if(TARGET lkao_cli)
+  set(lkao_libraries "$ORIGIN/../${CMAKE_INSTALL_LIBDIR}")
+  set_target_properties(lkao_cli PROPERTIES INSTALL_RPATH "${lkao_libraries};${lkao_libraries}/lkao")
   install(TARGETS lkao_cli RUNTIME COMPONENT lkao_program)
+  install(TARGETS lkao_image_codec LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}/lkao" COMPONENT lkao_program)
 endif()

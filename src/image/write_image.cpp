@@ -1,26 +1,18 @@
 #include <cctype>
-#include <cmath>
-#include <cstdint>
 
 #include <algorithm>
 #include <filesystem>
-#include <memory>
 #include <set>
 #include <stdexcept>
-
-#include <OpenImageIO/filesystem.h>
-#include <OpenImageIO/imageio.h>
 
 #include <fmt/format.h>
 
 #include "image/atomic_file.h"
+#include "image/codec.h"
 #include "image/image.h"
-#include "image/one_line.h"
 
 namespace lkao::image {
 namespace {
-
-enum class Format { exr, png };
 
 [[noreturn]] void fail(const std::string& path, const std::string& reason) {
   throw std::runtime_error(fmt::format("cannot write '{}': {}", path, reason));
@@ -53,53 +45,12 @@ void check_image(const std::string& path, const Image& image, Format format) {
   }
 }
 
-std::uint8_t to_8_bits(float value) {
-  if (std::isnan(value)) return 0;
-  return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0f, 1.0f) * 255));
-}
-
-OIIO::ImageSpec make_spec(const Image& image, Format format) {
-  const OIIO::TypeDesc type = format == Format::exr ? OIIO::TypeFloat : OIIO::TypeUInt8;
-  OIIO::ImageSpec spec(image.width, image.height, image.channel_count(), type);
-  if (format == Format::exr) {
-    spec.channelnames = image.channels;
-    spec.alpha_channel = -1;  // whatever a channel is called, its values are data
-    spec.z_channel = -1;
-    spec.attribute("compression", "zip");
-  } else {
-    spec.attribute("oiio:ColorSpace", "sRGB");
-    spec.attribute("oiio:UnassociatedAlpha", 1);  // values as they are
-  }
-  return spec;
-}
-
-bool write_pixels(OIIO::ImageOutput& output, const Image& image, Format format) {
-  if (format == Format::exr) return output.write_image(OIIO::TypeFloat, image.pixels.data());
-  std::vector<std::uint8_t> bytes(image.pixels.size());
-  std::transform(image.pixels.begin(), image.pixels.end(), bytes.begin(), to_8_bits);
-  return output.write_image(OIIO::TypeUInt8, bytes.data());
-}
-
-// The whole file, in memory: OpenImageIO does not report every fault of a disk.
-std::vector<unsigned char> encode(const std::string& path, const Image& image, Format format) {
-  const char* const name = format == Format::exr ? "out.exr" : "out.png";
-  const auto output = OIIO::ImageOutput::create(name);
-  if (!output) fail(path, one_line(OIIO::geterror()));
-  std::vector<unsigned char> bytes;
-  OIIO::Filesystem::IOVecOutput memory(bytes);
-  if (!output->set_ioproxy(&memory) || !output->open(name, make_spec(image, format)) ||
-      !write_pixels(*output, image, format) || !output->close()) {
-    fail(path, one_line(output->geterror()));
-  }
-  return bytes;
-}
-
 }  // namespace
 
 void write_image(const std::string& path, const Image& image) {
   const Format format = format_of(path);
   check_image(path, image, format);
-  const std::vector<unsigned char> bytes = encode(path, image, format);
+  const std::vector<unsigned char> bytes = codec().encode(path, image, format);
   write_file(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
 }
 

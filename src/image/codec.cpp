@@ -1,0 +1,29 @@
+#include "image/codec.h"
+
+#include <stdexcept>
+
+#include <dlfcn.h>
+
+#include <fmt/format.h>
+
+#include "image/one_line.h"
+
+namespace lkao::image {
+namespace {
+
+// Found by the run path of the program: in its own folder, or as installed. Stays until the program ends.
+const Codec& load() {
+  void* const object = dlopen("lkao_image_codec.so", RTLD_NOW | RTLD_LOCAL);
+  void* const function = object != nullptr ? dlsym(object, kCodecFunction) : nullptr;
+  if (function == nullptr) throw std::runtime_error(fmt::format("cannot load images: {}", one_line(dlerror())));
+  return *reinterpret_cast<const Codec* (*)()>(function)();
+}
+
+}  // namespace
+
+const Codec& codec() {
+  static const Codec& loaded = load();
+  return loaded;
+}
+
+}  // namespace lkao::image
