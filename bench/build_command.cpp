@@ -16,6 +16,7 @@
 #include <fmt/format.h>
 #include <tbb/global_control.h>
 #include <tbb/task_arena.h>
+#include <CLI/CLI.hpp>
 
 #include "build_cost.h"
 #include "build_report.h"

@@ -1,6 +1,8 @@
 // The program `lkao-bench`: comparisons of speed that always say what the answers are worth.
 #include <vector>
 
+#include <CLI/CLI.hpp>
+
 #include "commands.h"
 #include "program.h"
 

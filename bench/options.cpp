@@ -1,6 +1,7 @@
 #include "options.h"
 
 #include <tbb/info.h>
+#include <CLI/CLI.hpp>
 
 namespace lkao::bench {
 

@@ -4,9 +4,11 @@
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
-
 #include "study_scenes.h"
+
+namespace CLI {
+class App;
+}
 
 namespace lkao::bench {
 

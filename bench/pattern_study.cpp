@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 #include <fmt/ostream.h>
 #include <fmt/ranges.h>
+#include <CLI/CLI.hpp>
 
 #include "image/image.h"
 #include "options.h"

@@ -1,5 +1,7 @@
 #include "raster_frames.h"
 
+#include <CLI/CLI.hpp>
+
 #include "cli/median.h"
 
 namespace lkao::bench {

@@ -6,14 +6,16 @@
 #include <utility>
 #include <vector>
 
-#include <CLI/CLI.hpp>
-
 #include "answers.h"
 #include "lkao/gl.h"
 #include "lkao/lkao.h"
 #include "lod/occluders.h"
 #include "raster/rasterizer.h"
 #include "study_scenes.h"
+
+namespace CLI {
+class App;
+}
 
 namespace lkao::bench {
 

@@ -7,7 +7,7 @@
 namespace lkao {
 
 // The instruction sets that are compiled in and that this processor has, best first, by Highway's names in lower case:
-// "avx3_dl" and "avx3" (AVX-512), "avx2", "sse4", "ssse3", "sse2", "neon", ...
+// "avx3" (AVX-512), "avx2", "sse4"; "neon" on ARM.
 std::vector<std::string> available_isas();
 
 // The one that runs: the best, or what was forced.

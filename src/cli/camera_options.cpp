@@ -2,6 +2,7 @@
 
 #include "cli/options.h"
 #include "cli/parse.h"
+#include "cli/parsed_option.h"
 
 namespace lkao::cli {
 namespace {

@@ -3,11 +3,14 @@
 
 #include <optional>
 
-#include <CLI/CLI.hpp>
 #include <glm/vec3.hpp>
 
 #include "cli/scene_input.h"
 #include "scene/camera.h"
+
+namespace CLI {
+class App;
+}
 
 namespace lkao::cli {
 

@@ -14,6 +14,7 @@
 #include "cli/options.h"
 #include "cli/output_files.h"
 #include "cli/parse.h"
+#include "cli/parsed_option.h"
 #include "cli/report.h"
 #include "image/image.h"
 #include "image/metrics.h"

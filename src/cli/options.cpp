@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "cli/parse.h"
+#include "cli/parsed_option.h"
 
 namespace lkao::cli {
 namespace {

@@ -3,33 +3,20 @@
 
 #include <cstdint>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/task_arena.h>
-#include <CLI/CLI.hpp>
 
 #include "lkao/ambient_occlusion.h"
 
-namespace lkao::cli {
-
-// Adds an option whose text `parse` turns into `value`. What `parse` throws becomes an error that names the option.
-template <class Value, class Parse>
-CLI::Option* add_parsed(CLI::App& app, const std::string& name, Value& value, Parse parse,
-                        const std::string& description) {
-  const auto store = [&value, parse, name](const std::string& text) {
-    try {
-      value = parse(text);
-    } catch (const std::invalid_argument& error) {
-      throw std::invalid_argument(name + ": " + error.what());
-    }
-  };
-  return app.add_option_function<std::string>(name, store, description);
+namespace CLI {
+class App;
 }
+
+namespace lkao::cli {
 
 // How to run and what to tell; on every subcommand.
 struct CommonOptions {

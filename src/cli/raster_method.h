@@ -8,7 +8,6 @@
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
@@ -19,6 +18,10 @@
 #include "lkao/gl.h"
 #include "scene/camera.h"
 #include "scene/mesh.h"
+
+namespace CLI {
+class App;
+}
 
 namespace lkao::cli {
 

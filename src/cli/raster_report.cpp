@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "cli/parsed_option.h"
 #include "cli/raster_method.h"
 
 namespace lkao::cli {

@@ -12,6 +12,7 @@
 #include "cli/options.h"
 #include "cli/output_files.h"
 #include "cli/parse.h"
+#include "cli/parsed_option.h"
 #include "cli/progress_bar.h"
 #include "cli/raster_method.h"
 #include "cli/render_images.h"

@@ -16,6 +16,7 @@
 #include "cli/options.h"
 #include "cli/output_files.h"
 #include "cli/parse.h"
+#include "cli/parsed_option.h"
 #include "cli/progress_bar.h"
 #include "cli/report.h"
 #include "cli/scene_input.h"

@@ -26,6 +26,8 @@ add_compile_options(-ffp-contract=off -Wall -Wextra -Wpedantic -Wshadow -Wconver
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
   add_compile_options(-Wno-restrict)
 endif()
+# Highway's targets for x86 are AVX-512, AVX2 and SSE4; a fourth copy of every kernel for the Core 2 of 2006 is left out.
+add_compile_definitions(HWY_DISABLED_TARGETS=HWY_SSSE3)
 if(LKAO_WERROR)
   add_compile_options(-Werror)
 endif()
