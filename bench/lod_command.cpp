@@ -71,7 +71,7 @@ class LodStudy {
     const SamplePattern& pattern = SamplePattern::standard(options_.frames.ray_count);
     std::vector<AmbientOcclusion> queries;
     for (const Variant& variant : variants_) {
-      queries.emplace_back(lod::build_levels(variant.chain, radius()), pattern, QueryOptions{.radius = radius()});
+      queries.emplace_back(lod::build_levels(variant.chain, radius()), pattern, RayOptions{.radius = radius()});
     }
     const std::vector<Answers> answers = ask(queries, scene_.view.receivers, options_.frames.round_count);
     exact_ = answers[0];

@@ -27,7 +27,7 @@ float largest_coordinate(const scene::Mesh& mesh) {
 FirstHits::FirstHits(const scene::Mesh& mesh, float radius)
     : scene_(mesh.view(), true),
       radius_(radius),
-      surface_offset_(QueryOptions{}.surface_offset * 0x1p-24f * largest_coordinate(mesh)) {}
+      surface_offset_(RayOptions{}.surface_offset * 0x1p-24f * largest_coordinate(mesh)) {}
 
 void FirstHits::find(const Receiver& receiver, const glm::mat3& frame, std::span<const glm::vec3> directions,
                      std::span<float> distances) const {

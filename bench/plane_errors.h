@@ -6,7 +6,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "bvh/triangle_test.h"
+#include "bvh/ray_triangle.h"
 #include "lkao/occlusion_mask.h"
 #include "lkao/plane_mask_table.h"
 

@@ -42,16 +42,16 @@ std::vector<FrameSetup> methods() {
 // Table 2 of Laine & Karras 2010, Sec. 6: one-sided triangles, or the third test would have nothing to do. The pass's
 // own test of the reach stays off, since it comes after them and would take their work.
 std::vector<FrameSetup> culls() {
-  gl::DrawOptions draw{.two_sided = false, .culls = {false, false, false, false, false, false}};
-  std::vector<FrameSetup> setups = {{.name = "depth test only", .draw = draw}};
+  gl::RasterOptions raster{.culls = {false, false, false, false, false, false}};
+  std::vector<FrameSetup> setups = {{.name = "depth test only", .sidedness = Sidedness::one_sided, .raster = raster}};
   const std::pair<const char*, bool gl::Culls::*> added[] = {{"+ 1. far depth", &gl::Culls::far_depth},
                                                              {"+ 2. bounding sphere", &gl::Culls::bounding_sphere},
                                                              {"+ 3. facing", &gl::Culls::facing},
                                                              {"+ 4. plane distance", &gl::Culls::plane_distance},
                                                              {"+ 5. horizon", &gl::Culls::horizon}};
   for (const auto& [name, cull] : added) {
-    draw.culls.*cull = true;
-    setups.push_back({.name = name, .draw = draw});
+    raster.culls.*cull = true;
+    setups.push_back({.name = name, .sidedness = Sidedness::one_sided, .raster = raster});
   }
   return setups;
 }
@@ -61,7 +61,7 @@ std::vector<FrameSetup> shapes() {
   std::vector<FrameSetup> setups;
   for (const float alpha : {0.0f, 0.05f, 0.1f, 0.4f, 0.8f, std::numeric_limits<float>::infinity(), 0.2f}) {
     const char* note = alpha == 0 ? " (prisms)" : alpha > 1 ? " (billboards)" : "";
-    setups.push_back({.name = fmt::format("alpha {:g}{}", alpha, note), .draw = {.billboard_threshold = alpha}});
+    setups.push_back({.name = fmt::format("alpha {:g}{}", alpha, note), .raster = {.billboard_threshold = alpha}});
   }
   return setups;
 }

@@ -61,14 +61,14 @@ std::vector<FrameResult> RasterFrames::draw(const std::vector<FrameSetup>& setup
     std::vector<std::vector<double>> seconds(last - first);
     for (int round = 0; round < options_.round_count; ++round) {
       for (std::size_t i = first; i < last; ++i) {
-        seconds[i - first].push_back(rasterizer_.draw(options_of(setups[i])));
+        seconds[i - first].push_back(rasterizer_.draw(options_of(setups[i]), setups[i].raster));
         if (round + 1 == options_.round_count) results.push_back(compare(setups[i], seconds[i - first]));
       }
     }
     if (count) {
       start_pass(setups[first], table, true);
       for (std::size_t i = first; i < last; ++i) {
-        rasterizer_.draw(options_of(setups[i]));
+        rasterizer_.draw(options_of(setups[i]), setups[i].raster);
         results[i].counts = rasterizer_.pass().read_fragment_counts();
       }
     }
@@ -77,10 +77,8 @@ std::vector<FrameResult> RasterFrames::draw(const std::vector<FrameSetup>& setup
   return results;
 }
 
-gl::DrawOptions RasterFrames::options_of(const FrameSetup& setup) const {
-  gl::DrawOptions options = setup.draw;
-  options.radius = radius_;
-  return options;
+RayOptions RasterFrames::options_of(const FrameSetup& setup) const {
+  return {.radius = radius_, .sidedness = setup.sidedness};
 }
 
 PlaneMaskTable RasterFrames::make_table(PlaneMasks masks) const {
@@ -98,13 +96,13 @@ void RasterFrames::start_pass(const FrameSetup& setup, const PlaneMaskTable& tab
     rasterizer_.start_pass(pass, scene_.mesh, table);
   }
   // A driver leaves some of its work to the first frame: one that has next to nothing to draw.
-  gl::DrawOptions options = setup.draw;
-  options.radius = 1e-4f * radius_;
-  rasterizer_.draw(options);
+  RayOptions options = options_of(setup);
+  options.radius *= 1e-4f;
+  rasterizer_.draw(options, setup.raster);
 }
 
 FrameResult RasterFrames::compare(const FrameSetup& setup, const std::vector<double>& seconds) {
-  const Answers& answers = exact(setup.draw.two_sided ? Sidedness::two_sided : Sidedness::one_sided);
+  const Answers& answers = exact(setup.sidedness);
   FrameResult result;
   result.milliseconds = 1000 * cli::median(seconds);
   result.mrays_per_second = 1e-3 * static_cast<double>(answers.ray_count) / result.milliseconds;

@@ -25,7 +25,8 @@ struct FrameSetup {
   PlaneMasks masks = PlaneMasks::nearest;
   const lod::RangedMesh* levels = nullptr;  // in place of the scene's mesh
   gl::PassSetup pass = {};
-  gl::DrawOptions draw = {};  // the radius is the cell's
+  Sidedness sidedness = Sidedness::two_sided;
+  gl::RasterOptions raster = {};
 };
 
 struct FrameResult {
@@ -63,7 +64,7 @@ class RasterFrames {
 
  private:
   const Answers& exact(Sidedness sidedness);
-  gl::DrawOptions options_of(const FrameSetup& setup) const;
+  RayOptions options_of(const FrameSetup& setup) const;
   PlaneMaskTable make_table(PlaneMasks masks) const;
   void start_pass(const FrameSetup& setup, const PlaneMaskTable& table, bool count);
   FrameResult compare(const FrameSetup& setup, const std::vector<double>& seconds);

@@ -77,7 +77,7 @@ struct Queries {
 Queries make_queries(const CellInput& input, const Cell& cell) {
   const SamplePattern& pattern = SamplePattern::standard(cell.ray_count);
   const auto make = [&](Kernel kernel) {
-    return AmbientOcclusion(*input.occluders, pattern, {.radius = cell.radius, .kernel = kernel});
+    return AmbientOcclusion(*input.occluders, pattern, {.radius = cell.radius}, kernel);
   };
   return {make(Kernel::simd), make(Kernel::scalar)};
 }

@@ -72,7 +72,7 @@ struct Result {
 };
 
 Result measure(const Case& c, const PlaneMaskTable& table, NodeMasks node_masks, int round_count) {
-  const AmbientOcclusion ao(c.occluders, table, {.radius = c.radius, .node_masks = node_masks});
+  const AmbientOcclusion ao(c.occluders, table, {.radius = c.radius}, node_masks);
   const Answers answers = ask({&ao, 1}, c.scene->receivers, round_count).front();
   const Deviation off = deviation(answers, c.exact);
   return {static_cast<double>(off.wrong_ray_count) / static_cast<double>(c.scene->receivers.size()), off.error,
@@ -203,7 +203,7 @@ class Study {
     double scalar_seconds = 0, simd_seconds = 0;
     for (Case& c : cases_) {
       const auto ask_kernel = [&](Kernel kernel) {
-        const AmbientOcclusion ao(c.occluders, pattern, {.radius = c.radius, .kernel = kernel});
+        const AmbientOcclusion ao(c.occluders, pattern, {.radius = c.radius}, kernel);
         return ask({&ao, 1}, c.scene->receivers, options_.round_count).front();
       };
       c.exact = ask_kernel(Kernel::scalar);

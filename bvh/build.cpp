@@ -10,7 +10,8 @@
 
 #include "bvh/flatten.h"
 #include "bvh/split_builder.h"
-#include "bvh/zero_area.h"
+#include "bvh/usable_triangle.h"
+#include "lut/coordinates.h"
 
 namespace lkao::bvh {
 namespace {
@@ -30,7 +31,7 @@ Pieces collect_occluders(const TriangleMesh& mesh, std::size_t capacity, Layout&
       }
     }
     const glm::vec3 &a = mesh.positions[t.x], &b = mesh.positions[t.y], &c = mesh.positions[t.z];
-    if (!is_in_range(a, b, c)) {
+    if (!lut::is_in_range(a, b, c)) {
       ++layout.report.non_finite_count;
     } else if (has_zero_area(a, b, c)) {
       ++layout.report.zero_area_count;

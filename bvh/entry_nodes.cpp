@@ -1,6 +1,6 @@
 #include "bvh/entry_nodes.h"
 
-#include "bvh/box_test.h"
+#include "bvh/ray_box.h"
 
 namespace lkao::bvh {
 namespace {

@@ -1,8 +1,9 @@
-// Differs from the paper (see traversal.h): node masks come from slab tests of single rays and triangle masks from
-// TriangleTest, not from a table, so the result is exact.
+// Differs from the paper, whose masks come from a table (table_kernel.cpp): node masks come from slab tests of single
+// rays and triangle masks from TriangleTest, so the result is exact.
 #include "bvh/scalar_kernel.h"
 
-#include "bvh/triangle_test.h"
+#include "bvh/ray_triangle.h"
+#include "bvh/traversal.h"
 
 namespace lkao::bvh {
 namespace {

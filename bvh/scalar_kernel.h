@@ -2,7 +2,7 @@
 #pragma once
 
 #include "bvh/layout.h"
-#include "bvh/traversal.h"
+#include "bvh/query.h"
 
 namespace lkao::bvh {
 

@@ -3,22 +3,24 @@
 // Wide phase: nodes are visited with a mask of all rays, tested 16 at a time (a chunk: neighbours in the pattern).
 // Stream: children that few rays may meet are put aside, and answered ray by ray once all of them are known.
 //
-// Differs from the paper (see traversal.h): masks come from box and plane tests of the rays in single precision. They
-// are conservative; a ray within their rounding of a triangle's planes is decided by TriangleTest. So every target
-// gives the bits of the scalar kernel, whether it fuses multiply-adds or not.
+// Differs from the paper, whose masks come from a table (table_kernel.cpp): here from box and plane tests of the rays
+// in single precision. They are conservative; a ray within their rounding of a triangle's planes is decided by
+// TriangleTest. So every target gives the bits of the scalar kernel, whether it fuses multiply-adds or not.
 #include "bvh/simd_kernel.h"
 
 #include <algorithm>
 #include <bit>
 
+#include "bvh/ray_triangle.h"
 #include "bvh/scalar_kernel.h"
-#include "bvh/triangle_test.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "bvh/simd_kernel.cpp"
 #include <hwy/foreach_target.h>
 
 #include <hwy/highway.h>
+
+#include "lut/isa.h"
 
 #if HWY_TARGET == HWY_SCALAR  // no vectors, nothing to gain
 
@@ -331,7 +333,7 @@ namespace lkao::bvh {
 HWY_EXPORT(trace_simd);
 
 OcclusionMask trace_simd(const Layout& layout, const Query& query, const PatternCones& cones) {
-  return HWY_DYNAMIC_DISPATCH(trace_simd)(layout, query, cones);
+  return LKAO_DISPATCH(trace_simd)(layout, query, cones);
 }
 
 }  // namespace lkao::bvh

@@ -3,7 +3,7 @@
 
 #include "bvh/layout.h"
 #include "bvh/pattern_cones.h"
-#include "bvh/traversal.h"
+#include "bvh/query.h"
 
 namespace lkao::bvh {
 

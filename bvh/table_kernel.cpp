@@ -1,9 +1,10 @@
 #include "bvh/table_kernel.h"
 
 #include "bvh/box_outline.h"
+#include "bvh/ray_triangle.h"
 #include "bvh/table_lookup.h"
+#include "bvh/traversal.h"
 #include "bvh/triangle_culls.h"
-#include "bvh/triangle_test.h"
 
 namespace lkao::bvh {
 namespace {

@@ -4,7 +4,8 @@
 #pragma once
 
 #include "bvh/layout.h"
-#include "bvh/traversal.h"
+#include "bvh/query.h"
+#include "lkao/kernel.h"
 #include "lkao/plane_mask_table.h"
 
 namespace lkao::bvh {

@@ -9,7 +9,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "bvh/traversal.h"
+#include "bvh/query.h"
 
 namespace lkao::bvh {
 

@@ -1,8 +1,5 @@
 // The public face of the pass.
-#include <fmt/format.h>
-
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
 #include <utility>
 
@@ -10,26 +7,9 @@
 #include "gpu/gl_error.h"
 #include "gpu/pass_state.h"
 #include "gpu/state_keeper.h"
+#include "lut/ray_options.h"
 
 namespace lkao::gl {
-namespace {
-
-void require(bool condition, const char* option, const char* range, double value) {
-  if (!condition) throw std::invalid_argument(fmt::format("{} must be {}, not {}", option, range, value));
-}
-
-void validate(const DrawOptions& options) {
-  require(options.radius > 0 && (options.radius <= 1e18f || std::isinf(options.radius)), "radius",
-          "greater than 0 and at most 1e18, or infinity", options.radius);
-  require(options.rotation >= 0 && options.rotation <= 1, "rotation", "in [0, 1] turns", options.rotation);
-  require(options.tilt >= 0 && options.tilt <= 0.5f * std::numbers::pi_v<float>, "tilt", "in [0, pi/2] radians",
-          options.tilt);
-  require(std::isfinite(options.surface_offset) && options.surface_offset >= 0, "surface_offset",
-          "finite and at least 0", options.surface_offset);
-  require(options.billboard_threshold >= 0, "billboard_threshold", "at least 0", options.billboard_threshold);
-}
-
-}  // namespace
 
 OcclusionPass::OcclusionPass(const PassSetup& setup) {
   require_clean_context();
@@ -71,9 +51,11 @@ void OcclusionPass::set_table(const PlaneMaskTable& table) {
   state_->is_drawn = false;
 }
 
-void OcclusionPass::draw(const GBuffer& g_buffer, const Camera& camera, const DrawOptions& options) {
+void OcclusionPass::draw(const GBuffer& g_buffer, const Camera& camera, const RayOptions& options,
+                         const RasterOptions& raster) {
   require_clean_context();
-  validate(options);
+  lut::check(options);
+  lut::require(raster.billboard_threshold >= 0, "billboard_threshold", "at least 0", raster.billboard_threshold);
   validate(g_buffer);
   if (!state_->table) throw std::runtime_error("draw() needs a plane mask table: call set_table() first");
   if (std::isinf(options.radius) && !state_->table->has_full_lengths()) {
@@ -90,7 +72,7 @@ void OcclusionPass::draw(const GBuffer& g_buffer, const Camera& camera, const Dr
   }
   state_->wait_for_last_frame();
   if (state_->occluders.has_ranges()) state_->table->add_directions();
-  state_->set_uniforms(g_buffer, camera, options);
+  state_->set_uniforms(g_buffer, camera, options, raster);
   state_->bind_uniforms();
   state_->unbounded_radius.begin();
   state_->classify_occluders();

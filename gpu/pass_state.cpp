@@ -21,12 +21,10 @@ Sampler make_plain_sampler() {
   return Sampler(name);
 }
 
-std::uint32_t flags_of(const DrawOptions& options) {
-  return (options.two_sided ? LKAO_FLAG_TWO_SIDED : 0u) | (options.culls.far_depth ? LKAO_FLAG_CULL_FAR_DEPTH : 0u) |
-         (options.culls.bounding_sphere ? LKAO_FLAG_CULL_SPHERE : 0u) |
-         (options.culls.facing ? LKAO_FLAG_CULL_FACING : 0u) |
-         (options.culls.plane_distance ? LKAO_FLAG_CULL_PLANE_DISTANCE : 0u) |
-         (options.culls.horizon ? LKAO_FLAG_CULL_HORIZON : 0u) | (options.culls.reach ? LKAO_FLAG_CULL_REACH : 0u);
+std::uint32_t flags_of(const Culls& culls) {
+  return (culls.far_depth ? LKAO_FLAG_CULL_FAR_DEPTH : 0u) | (culls.bounding_sphere ? LKAO_FLAG_CULL_SPHERE : 0u) |
+         (culls.facing ? LKAO_FLAG_CULL_FACING : 0u) | (culls.plane_distance ? LKAO_FLAG_CULL_PLANE_DISTANCE : 0u) |
+         (culls.horizon ? LKAO_FLAG_CULL_HORIZON : 0u) | (culls.reach ? LKAO_FLAG_CULL_REACH : 0u);
 }
 
 }  // namespace
@@ -52,9 +50,11 @@ void OcclusionPass::State::wait_for_last_frame() const {
                   GL_TEXTURE_UPDATE_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT | GL_ATOMIC_COUNTER_BARRIER_BIT);
 }
 
-void OcclusionPass::State::set_uniforms(const GBuffer& g_buffer, const Camera& camera, const DrawOptions& options) {
+void OcclusionPass::State::set_uniforms(const GBuffer& g_buffer, const Camera& camera, const RayOptions& options,
+                                        const RasterOptions& raster) {
   uniforms = PassUniforms();
-  uniforms.flags.x = flags_of(options) | (occluders.has_ranges() ? LKAO_FLAG_RANGES : 0u) |
+  uniforms.flags.x = flags_of(raster.culls) | (options.sidedness == Sidedness::two_sided ? LKAO_FLAG_TWO_SIDED : 0u) |
+                     (occluders.has_ranges() ? LKAO_FLAG_RANGES : 0u) |
                      (std::isinf(options.radius) ? LKAO_FLAG_UNBOUNDED : 0u);
   // Any radius will do until find_radius() knows.
   const float radius = std::isinf(options.radius) ? 1.0f : options.radius;
@@ -62,11 +62,11 @@ void OcclusionPass::State::set_uniforms(const GBuffer& g_buffer, const Camera& c
   bind(g_buffer, camera, uniforms);
   table->set_uniforms(uniforms);
   uniforms.lengths.x = radius;
-  uniforms.lengths.y = options.billboard_threshold;
+  uniforms.lengths.y = raster.billboard_threshold;
   uniforms.lengths.z = options.surface_offset * 0x1p-24f;
   // Never more tilt than would bring the lowest ray to the horizon, as the CPU's query has it.
-  uniforms.jitter.x = options.rotation;
-  uniforms.jitter.y = std::min(options.tilt, 0.9f * table->lowest_elevation());
+  uniforms.jitter.x = options.jitter.rotation;
+  uniforms.jitter.y = std::min(options.jitter.tilt, 0.9f * table->lowest_elevation());
   const std::uint64_t seed = lut::mix_bits(options.seed);
   uniforms.flags.z = static_cast<std::uint32_t>(seed);
   uniforms.flags.w = static_cast<std::uint32_t>(seed >> 32);

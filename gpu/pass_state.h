@@ -19,7 +19,8 @@ struct OcclusionPass::State {
 
   // The steps of a frame, in their order.
   void wait_for_last_frame() const;
-  void set_uniforms(const GBuffer& g_buffer, const Camera& camera, const DrawOptions& options);
+  void set_uniforms(const GBuffer& g_buffer, const Camera& camera, const RayOptions& options,
+                    const RasterOptions& raster);
   void classify_occluders();
   void find_receivers();
   // Only for an infinite radius: finds one that stands for it, and classifies the occluders again.

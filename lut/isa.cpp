@@ -1,6 +1,7 @@
 #include "lut/isa.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cctype>
 #include <cstdlib>
 #include <stdexcept>
@@ -20,15 +21,18 @@ std::string name_of(std::int64_t target) {
   return name;
 }
 
-// Best first: Highway gives better targets lower bits. What is forced does not hide the others.
+// Best first: Highway gives better targets lower bits.
 std::vector<std::int64_t> available_targets() {
   static const std::vector<std::int64_t> targets = hwy::SupportedAndGeneratedTargets();
   return targets;
 }
 
-void use(std::int64_t targets) {
-  hwy::SetSupportedTargetsForTest(targets);
-  hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+// 0: nothing is forced.
+std::atomic<std::int64_t> forced_target = 0;
+
+void use(std::int64_t target) {
+  forced_target = target;
+  lut::chosen_target().Update(target != 0 ? target : hwy::SupportedTargets());
 }
 
 }  // namespace
@@ -41,7 +45,8 @@ std::vector<std::string> available_isas() {
 
 std::string active_isa() {
   lut::obey_isa_environment();
-  return name_of(hwy::SupportedAndGeneratedTargets().front());
+  const std::int64_t target = forced_target;
+  return name_of(target != 0 ? target : available_targets().front());
 }
 
 void force_isa(const std::string& name) {
@@ -56,6 +61,13 @@ void force_isa(const std::string& name) {
 }
 
 namespace lut {
+
+hwy::ChosenTarget& chosen_target() {
+  static hwy::ChosenTarget target;
+  static const bool is_chosen = (target.Update(hwy::SupportedTargets()), true);
+  static_cast<void>(is_chosen);
+  return target;
+}
 
 void obey_isa_environment() {
   static const bool obeyed = [] {

@@ -6,7 +6,7 @@
 
 #include <glm/vec2.hpp>
 
-#include "lkao/sample_pattern.h"
+#include "lkao/pattern_kind.h"
 
 namespace lkao::lut {
 

@@ -11,7 +11,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-#include "lkao/plane_mask_table.h"
+#include "lkao/plane_addressing.h"
 
 namespace lkao::lut {
 

@@ -10,6 +10,8 @@
 
 #include <hwy/highway.h>
 
+#include "lut/isa.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace lkao::lut::HWY_NAMESPACE {
 namespace {
@@ -86,11 +88,11 @@ HWY_EXPORT(fill_nearest);
 HWY_EXPORT(fill_must_may);
 
 void fill_nearest(const RayEnds& ends, const PlaneCell& cell, std::uint64_t* words) {
-  HWY_DYNAMIC_DISPATCH(fill_nearest)(ends, cell, words);
+  LKAO_DISPATCH(fill_nearest)(ends, cell, words);
 }
 
 void fill_must_may(const RayEnds& ends, const PlaneCell& cell, std::uint64_t* must, std::uint64_t* may) {
-  HWY_DYNAMIC_DISPATCH(fill_must_may)(ends, cell, must, may);
+  LKAO_DISPATCH(fill_must_may)(ends, cell, must, may);
 }
 
 }  // namespace lkao::lut

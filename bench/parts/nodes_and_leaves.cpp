@@ -5,8 +5,8 @@
 
 #include <benchmark/benchmark.h>
 
-#include "bvh/box_test.h"
-#include "bvh/triangle_test.h"
+#include "bvh/ray_box.h"
+#include "bvh/ray_triangle.h"
 #include "lkao/isa.h"
 #include "parts/scenes.h"
 
@@ -25,6 +25,8 @@ struct Part {
 #include <hwy/foreach_target.h>
 
 #include <hwy/highway.h>
+
+#include "lut/isa.h"
 
 #if HWY_TARGET == HWY_SCALAR  // no vectors, no such parts
 
@@ -209,7 +211,7 @@ HWY_EXPORT(parts);
 const bool kRegistered = [] {
   for (const std::string& isa : available_isas()) {
     force_isa(isa);
-    for (const Part& part : HWY_DYNAMIC_DISPATCH(parts)()) {
+    for (const Part& part : LKAO_DISPATCH(parts)()) {
       benchmark::RegisterBenchmark((std::string(part.name) + "/" + isa).c_str(), part.run);
     }
   }

@@ -9,7 +9,7 @@
 
 #include <glm/vec2.hpp>
 
-#include "bvh/box_test.h"
+#include "bvh/ray_box.h"
 #include "scene/camera.h"
 #include "scene/shapes.h"
 #include "tiles.h"

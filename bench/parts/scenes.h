@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "bvh/layout.h"
-#include "bvh/traversal.h"
+#include "bvh/query.h"
 #include "lkao/lkao.h"
 #include "reference/embree_reference.h"
 #include "study_scenes.h"

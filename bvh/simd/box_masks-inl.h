@@ -12,6 +12,7 @@
 #include <hwy/highway.h>
 
 #include "bvh/layout.h"
+#include "bvh/ray_box.h"
 #include "bvh/simd/ray_parts-inl.h"
 #include "bvh/simd/ray_sets-inl.h"
 

@@ -10,12 +10,12 @@
 #include <cstdint>
 
 #include <hwy/highway.h>
+#include <glm/mat3x3.hpp>
 
 #include "bvh/pattern_cones.h"
 #include "bvh/simd/box_masks-inl.h"
 #include "bvh/simd/lanes-inl.h"
 #include "bvh/simd/ray_sets-inl.h"
-#include "lkao/ambient_occlusion.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace lkao::bvh::HWY_NAMESPACE {

@@ -44,6 +44,14 @@ HWY_INLINE std::uint32_t bits_of(Tag tag, Mask mask) {
   }
 }
 
+// The mask of such bits.
+template <class Tag>
+HWY_INLINE hn::Mask<Tag> mask_of(Tag tag, std::uint32_t bits) {
+  std::uint8_t bytes[8];
+  std::memcpy(bytes, &bits, sizeof(bits));
+  return hn::LoadMaskBits(tag, bytes);
+}
+
 // Within 2^-21 of 1 / v.
 template <class Tag>
 HWY_INLINE hn::Vec<Tag> reciprocal(Tag tag, hn::Vec<Tag> v) {
@@ -51,14 +59,6 @@ HWY_INLINE hn::Vec<Tag> reciprocal(Tag tag, hn::Vec<Tag> v) {
   // Newton: the estimate may have as few as 8 bits.
   for (int step = 0; step < 2; ++step) inverse = hn::Mul(inverse, hn::NegMulAdd(v, inverse, hn::Set(tag, 2.0f)));
   return inverse;
-}
-
-// The other way round.
-template <class Tag>
-HWY_INLINE hn::Mask<Tag> mask_of(Tag tag, std::uint32_t bits) {
-  std::uint8_t bytes[8];
-  std::memcpy(bytes, &bits, sizeof(bits));
-  return hn::LoadMaskBits(tag, bytes);
 }
 
 // Stores the lanes whose bit is set one after the other, and some garbage behind them: a whole vector in all. Returns

@@ -15,10 +15,10 @@
 
 #include "bvh/layout.h"
 #include "bvh/pattern_cones.h"
+#include "bvh/query.h"
 #include "bvh/simd/lanes-inl.h"
 #include "bvh/simd/ray_parts-inl.h"
 #include "bvh/simd/ray_sets-inl.h"
-#include "bvh/traversal.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace lkao::bvh::HWY_NAMESPACE {

@@ -12,8 +12,8 @@
 
 #include <hwy/highway.h>
 
+#include "bvh/query.h"
 #include "bvh/simd/lanes-inl.h"
-#include "bvh/traversal.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace lkao::bvh::HWY_NAMESPACE {

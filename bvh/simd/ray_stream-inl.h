@@ -14,11 +14,11 @@
 #include <hwy/highway.h>
 
 #include "bvh/blocker_memory.h"
-#include "bvh/box_test.h"
 #include "bvh/layout.h"
+#include "bvh/query.h"
+#include "bvh/ray_box.h"
 #include "bvh/simd/leaf_frames-inl.h"
 #include "bvh/simd/ray_sets-inl.h"
-#include "bvh/traversal.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace lkao::bvh::HWY_NAMESPACE {

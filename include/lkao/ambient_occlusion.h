@@ -8,16 +8,17 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
-#include <optional>
 #include <span>
 #include <vector>
 
-#include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
 
+#include "lkao/kernel.h"
 #include "lkao/occluder_bvh.h"
 #include "lkao/occlusion_mask.h"
 #include "lkao/plane_mask_table.h"
+#include "lkao/receiver.h"
+#include "lkao/receiver_rays.h"
 #include "lkao/sample_pattern.h"
 
 namespace lkao {
@@ -26,93 +27,12 @@ namespace query {
 class Tracer;
 }
 
-inline constexpr std::uint32_t kNoPrimitive = 0xffffffffu;
-
-// A point that receives occlusion. Positions and normals in world space; normals of any length.
-struct Receiver {
-  glm::vec3 position{0};
-  // The axis of the sample pattern: the shading normal.
-  glm::vec3 normal{0};
-  // The side of the surface the receiver lies on: rays below this normal's horizon are not cast, and the
-  // origin is moved off the surface along it. Zero means: the same as `normal`.
-  glm::vec3 geometric_normal{0};
-  // A primitive that cannot block this receiver's rays (usually the one it lies on).
-  std::uint32_t excluded_primitive = kNoPrimitive;
-};
-
-enum class Sidedness {
-  two_sided,  // a triangle blocks rays from both sides
-  one_sided,  // a triangle blocks rays only of receivers in front of it (Laine & Karras 2010, Sec. 1.1)
-};
-
-// Per-receiver variation of the sample pattern, against banding (Laine & Karras 2010, Sec. 3).
-struct Jitter {
-  // Rotation about the normal, drawn evenly from [0, rotation) turns; in [0, 1].
-  float rotation = 1.0f;
-  // Largest tilt of the pattern's axis, in radians; in [0, pi/2]. None by default: with a whole turn of rotation it
-  // hides no more structure and costs accuracy (lut/README.md). Never more than would bring the lowest ray to the
-  // horizon (SamplePattern::lowest_elevation), whatever is asked.
-  float tilt = 0.0f;
-};
-
-// What answers a query; the bits are the same.
-enum class Kernel {
-  simd,    // vectors of the fastest instruction set that the processor has
-  scalar,  // the readable definition of the result
-};
-
-// How the table kernel finds the rays that may meet a node (Laine & Karras 2010, Sec. 5).
-enum class NodeMasks {
-  bounding_sphere,  // one or two look-ups (Figure 4)
-  box_outline,      // tighter, faster on CPUs: a look-up for each edge of the box's outline and each face seen
-};
-
-struct QueryOptions {
-  // AO radius: the length of the longest ray, in the unit of the positions. > 0, at most 1e18; or infinity: then every
-  // ray of non-zero length goes beyond all occluders (ReceiverRays::radius), whatever share of the radius it is.
-  float radius = 0;
-  Sidedness sidedness = Sidedness::two_sided;
-  Jitter jitter = {};
-  // With a receiver's index, the only source of its jitter.
-  std::uint64_t seed = 0;
-  // Rays start off the surface, so that rounding does not make a receiver block itself: moved along the
-  // geometric normal by surface_offset x 2^-24 x the largest coordinate in play (of the receiver or of the
-  // occluders' bounds). >= 0 and finite; 0 where positions are already off the surface.
-  float surface_offset = 16.0f;
-  // Only for queries without a plane mask table.
-  Kernel kernel = Kernel::simd;
-  // Only for queries with a plane mask table.
-  NodeMasks node_masks = NodeMasks::box_outline;
-};
-
 // Occluders that block rays only at some distances: a level of detail. A ray is blocked if its part whose distance from
 // the origin lies in [r_min, r_max] meets one of them (Laine & Karras 2010, Sec. 4.3).
 struct OccluderLevel {
   OccluderBvh occluders;
   float r_min = 0;
   float r_max = std::numeric_limits<float>::infinity();
-};
-
-// The rays that a receiver casts, in world space: segments from `origin` to `origin + ray(i)`.
-struct ReceiverRays {
-  glm::vec3 origin{0};
-  // A rotation: where the pattern's axes go; the last column is near the normal. The direction of ray i is
-  // frame x pattern().directions()[i].
-  glm::mat3 frame{1};
-  // Unit vector, the geometric normal: no cast ray goes below its horizon.
-  glm::vec3 up{0, 0, 1};
-  // The AO radius. Where that is infinite, a power of two that no occluder is farther away than from this origin: with
-  // rays of that length instead, nothing changes.
-  float radius = 0;
-  // Rays above the geometric horizon; the others are not cast. Empty for an invalid receiver.
-  OcclusionMask cast;
-  int ray_count = 0;
-  // Direction x length of each ray, component by component.
-  alignas(64) float x[kMaxRayCount];
-  alignas(64) float y[kMaxRayCount];
-  alignas(64) float z[kMaxRayCount];
-
-  glm::vec3 ray(int i) const { return {x[i], y[i], z[i]}; }
 };
 
 // The answer for one receiver.
@@ -156,19 +76,22 @@ struct QueryReport {
 class AmbientOcclusion {
  public:
   // Throws std::invalid_argument, naming the option and its value, where one is out of range.
-  AmbientOcclusion(OccluderBvh occluders, SamplePattern pattern, const QueryOptions& options);
+  AmbientOcclusion(OccluderBvh occluders, SamplePattern pattern, const RayOptions& options,
+                   Kernel kernel = Kernel::simd);
 
   // Several levels of detail, near ones first is fastest: usually the scene itself from 0 to some distance, and simpler
   // versions of it farther away. The first is what occluders() returns, what surface_offset is relative to and what
   // Receiver::excluded_primitive counts. With the same occluders in all levels, and ranges that leave no gap, the
   // answers are those without levels, bit for bit. Throws std::invalid_argument where there is no level, or a range is
   // not 0 <= r_min < r_max.
-  AmbientOcclusion(const std::vector<OccluderLevel>& levels, SamplePattern pattern, const QueryOptions& options);
+  AmbientOcclusion(const std::vector<OccluderLevel>& levels, SamplePattern pattern, const RayOptions& options,
+                   Kernel kernel = Kernel::simd);
 
   // Answers with the paper's look-ups instead of ray by ray: the pattern is the table's. With PlaneMasks::must_may the
   // answers are the same bit for bit, with PlaneMasks::nearest they are approximate (lut/README.md has the figures).
   // Throws std::invalid_argument also for an infinite radius where the table's rays are not all of one length.
-  AmbientOcclusion(OccluderBvh occluders, PlaneMaskTable table, const QueryOptions& options);
+  AmbientOcclusion(OccluderBvh occluders, PlaneMaskTable table, const RayOptions& options,
+                   NodeMasks node_masks = NodeMasks::box_outline);
 
   // One receiver, in the calling thread. `index` with the seed gives the jitter: use the pixel, the vertex
   // or the sample number. Allocates nothing but the thread's memory of blockers, once.
@@ -185,14 +108,11 @@ class AmbientOcclusion {
 
   const OccluderBvh& occluders() const;
   const SamplePattern& pattern() const { return pattern_; }
-  const QueryOptions& options() const;
+  const RayOptions& options() const;
   // The table of a query by look-ups; null otherwise.
   const PlaneMaskTable* table() const;
 
  private:
-  AmbientOcclusion(const std::vector<OccluderLevel>& levels, SamplePattern pattern, const QueryOptions& options,
-                   std::optional<PlaneMaskTable> table);
-
   SamplePattern pattern_;
   std::shared_ptr<const query::Tracer> tracer_;
 };

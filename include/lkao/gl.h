@@ -30,6 +30,7 @@
 
 #include "lkao/occlusion_mask.h"
 #include "lkao/plane_mask_table.h"
+#include "lkao/receiver.h"
 
 namespace lkao::gl {
 
@@ -122,20 +123,10 @@ struct Culls {
   bool reach = true;
 };
 
-// Of one frame. The first six mean what they mean to the CPU's query (QueryOptions): with the same values, the receiver
-// of pixel (x, y) casts the rays of index y * width + x.
-struct DrawOptions {
-  // AO radius, > 0 and at most 1e18; or infinity, with a table of rays of one length: rays go beyond all occluders. The
-  // pass then finds on the GPU, in every frame, a power of two beyond the largest distance between the bounds of
-  // occluders and pixels, and less than four times that. Every shape covers all receivers, so such a frame is slow.
-  float radius = 0;
-  bool two_sided = true;   // false: triangles block rays only of receivers in front of them
-  float rotation = 1.0f;   // jitter about the normal, in [0, 1] turns
-  float tilt = 0.0f;       // jitter of the axis, in [0, pi/2] radians
-  std::uint64_t seed = 0;  // of the jitter
-  float surface_offset = 16.0f;
+// How the occluders of a frame are drawn. Changes no exact mask.
+struct RasterOptions {
   // Alpha of the paper: triangles whose bounding sphere is smaller than this share of the radius get a billboard, the
-  // others a prism. 0: prisms only; infinity: billboards wherever the camera is outside of them. Changes no mask.
+  // others a prism. At least 0; 0: prisms only; infinity: billboards wherever the camera is outside of them.
   float billboard_threshold = 0.2f;
   Culls culls = {};
 };
@@ -227,9 +218,14 @@ class OcclusionPass {
   // `must_may` exact ones.
   void set_table(const PlaneMaskTable& table);
 
-  // Finds the masks. Needs a table; without occluders all masks are empty. Throws std::invalid_argument also for an
-  // infinite radius where the table's rays are not all as long as the AO radius.
-  void draw(const GBuffer& g_buffer, const Camera& camera, const DrawOptions& options);
+  // Finds the masks. Needs a table; without occluders all masks are empty. The receiver of pixel (x, y) casts the rays
+  // that the CPU's query casts for it with these options and the index y * width + x.
+  //
+  // With an infinite radius the pass finds on the GPU, in every frame, a power of two beyond the largest distance
+  // between the bounds of occluders and pixels, and less than four times that. Every shape covers all receivers, so
+  // such a frame is slow. Throws std::invalid_argument where an option is out of range, and for an infinite radius
+  // where the table's rays are not all as long as the AO radius.
+  void draw(const GBuffer& g_buffer, const Camera& camera, const RayOptions& options, const RasterOptions& raster = {});
 
   // The following are about the last draw(), and throw std::runtime_error where there was none.
 

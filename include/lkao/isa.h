@@ -14,9 +14,9 @@ std::vector<std::string> available_isas();
 std::string active_isa();
 
 // Uses the named instruction set from now on, in every thread; "avx512" is another name for "avx3", and "" takes the
-// force away. Results do not depend on it: this is for tests and benchmarks. The environment variable LKAO_ISA does the
-// same before the first query. Not to be called while queries run. Throws std::invalid_argument naming what is
-// available.
+// force away. Results do not depend on it, nor does any other user of Highway in the process: this is for tests and
+// benchmarks. The environment variable LKAO_ISA does the same before the first query. Not to be called while queries
+// run. Throws std::invalid_argument naming what is available.
 void force_isa(const std::string& name);
 
 }  // namespace lkao

@@ -19,7 +19,10 @@
 
 #include "lkao/ambient_occlusion.h"
 #include "lkao/isa.h"
+#include "lkao/kernel.h"
 #include "lkao/occluder_bvh.h"
 #include "lkao/occlusion_mask.h"
 #include "lkao/plane_mask_table.h"
+#include "lkao/receiver.h"
+#include "lkao/receiver_rays.h"
 #include "lkao/sample_pattern.h"

@@ -11,18 +11,10 @@
 
 #include <glm/vec3.hpp>
 
+#include "lkao/plane_addressing.h"
 #include "lkao/sample_pattern.h"
 
 namespace lkao {
-
-// How a plane finds its cell. lut/README.md compares their errors at equal memory.
-enum class PlaneAddressing {
-  // The paper's: normal x (1 - 7/8 d/r), stretched to the corners of a cube.
-  cube,
-  // Cube maps of the normal: one fine map for planes through the receiver (edges of triangles), and coarser ones
-  // for slices of distance.
-  slices,
-};
 
 // What is kept for each cell.
 enum class PlaneMasks {

@@ -25,7 +25,8 @@ const char* name_of(Method method);
 // What a method is checked against: Embree, which is checked against the traversal.
 Method other_than(Method method);
 
-// Answers as AmbientOcclusion::query does; the last argument is the first receiver's index.
+// Answers as AmbientOcclusion::query does, but may leave blocked rays uncounted; the last argument is the first
+// receiver's index.
 using Answer = std::function<QueryReport(std::span<const Receiver>, const QueryOutputs&, std::uint64_t)>;
 // The query's own. `ao` must outlive it.
 Answer answer_of(const AmbientOcclusion& ao);

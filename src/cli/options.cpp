@@ -81,6 +81,10 @@ void check_radius(const OcclusionOptions& options, bool is_drawn) {
 
 float radius_of(const OcclusionOptions& options) { return static_cast<float>(options.radius.value()); }
 
+RayOptions ray_options(const OcclusionOptions& options) {
+  return {.radius = radius_of(options), .sidedness = options.sidedness, .seed = options.seed};
+}
+
 PlaneMaskTable make_table(const OcclusionOptions& options, PlaneMasks masks) {
   PlaneMaskTableOptions table;
   table.masks = masks;
@@ -89,15 +93,12 @@ PlaneMaskTable make_table(const OcclusionOptions& options, PlaneMasks masks) {
 
 AmbientOcclusion make_query(std::vector<OccluderLevel> levels, const OcclusionOptions& options) {
   const KernelChoice kernel = options.kernel.value_or(KernelChoice::simd);
-  QueryOptions query;
-  query.radius = radius_of(options);
-  query.sidedness = options.sidedness;
-  query.seed = options.seed;
-  query.kernel = kernel == KernelChoice::scalar ? Kernel::scalar : Kernel::simd;
+  const RayOptions query = ray_options(options);
   const OccluderBvh& occluders = levels.front().occluders;
   if (kernel == KernelChoice::table) return {occluders, make_table(options, PlaneMasks::must_may), query};
   if (kernel == KernelChoice::nearest) return {occluders, make_table(options, PlaneMasks::nearest), query};
-  return {std::move(levels), make_pattern(options), query};
+  return {std::move(levels), make_pattern(options), query,
+          kernel == KernelChoice::scalar ? Kernel::scalar : Kernel::simd};
 }
 
 }  // namespace lkao::cli

@@ -49,6 +49,7 @@ void check_radius(const OcclusionOptions& options, bool is_drawn);
 
 // The AO radius, which must be given by now.
 float radius_of(const OcclusionOptions& options);
+RayOptions ray_options(const OcclusionOptions& options);
 SamplePattern make_pattern(const OcclusionOptions& options);
 PlaneMaskTable make_table(const OcclusionOptions& options, PlaneMasks masks);
 // Needs the radius; by the exact kernels only where there are several levels.

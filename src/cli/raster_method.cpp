@@ -20,16 +20,11 @@ const char* name_of(gl::Accumulator accumulator) {
   return accumulator == gl::Accumulator::logic_op ? "logic_op" : "ssbo";
 }
 
-gl::DrawOptions draw_options(const OcclusionOptions& options) {
-  return {.radius = radius_of(options), .two_sided = options.sidedness == Sidedness::two_sided, .seed = options.seed};
-}
-
-std::vector<double> draw_repeatedly(raster::Rasterizer& rasterizer, const gl::DrawOptions& options,
-                                    bool with_bent_normals) {
+std::vector<double> draw_repeatedly(raster::Rasterizer& rasterizer, const RayOptions& options, bool with_bent_normals) {
   std::vector<double> seconds;
   const Stopwatch watch;
   do {
-    seconds.push_back(rasterizer.draw(options, with_bent_normals));
+    seconds.push_back(rasterizer.draw(options, {}, with_bent_normals));
   } while (seconds.size() < kMaxDrawCount && watch.seconds() < kEnoughSeconds);
   return seconds;
 }
@@ -62,7 +57,7 @@ RasterFrame RasterMethod::draw(const scene::Mesh& mesh, std::span<const glm::vec
   rasterizer.set_view(camera, view);
   rasterizer.start_pass({}, mesh, make_table(options, state_->masks), ranges);
   report.setup_seconds = watch.seconds();
-  const std::vector<double> seconds = draw_repeatedly(rasterizer, draw_options(options), wanted.bent_normals);
+  const std::vector<double> seconds = draw_repeatedly(rasterizer, ray_options(options), wanted.bent_normals);
 
   report.renderer = context.renderer();
   report.version = context.version();

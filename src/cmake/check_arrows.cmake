@@ -22,7 +22,9 @@ set(may_include_src/reference lkao lut bvh query scene reference embree3)
 set(may_include_src/raster lkao gpu scene raster epoxy)
 
 # Public headers that stay on one side.
-set(gpu_never_sees lkao/lkao.h lkao/occluder_bvh.h lkao/ambient_occlusion.h)
+set(lut_never_sees lkao/lkao.h lkao/occluder_bvh.h lkao/ambient_occlusion.h)
+set(bvh_never_sees lkao/lkao.h lkao/ambient_occlusion.h)
+set(gpu_never_sees ${lut_never_sees})
 set(only_gl_sees lkao/gl.h)
 set(gl_parts gpu src/raster)
 
@@ -39,7 +41,7 @@ foreach(part IN ITEMS include/lkao lut bvh gpu src/query src/scene src/lod src/i
       set(is_wrong FALSE)
       if(prefix IN_LIST prefixes AND NOT prefix IN_LIST may_include_${part})
         set(is_wrong TRUE)
-      elseif(part STREQUAL "gpu" AND header IN_LIST gpu_never_sees)
+      elseif(header IN_LIST ${part}_never_sees)
         set(is_wrong TRUE)
       elseif(NOT part IN_LIST gl_parts AND header IN_LIST only_gl_sees)
         set(is_wrong TRUE)

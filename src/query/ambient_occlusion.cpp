@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
 #include <utility>
 
 #include <fmt/format.h>
 
-#include "bvh/zero_area.h"
 #include "lut/isa.h"
+#include "lut/ray_options.h"
 #include "query/answer.h"
 #include "query/batch.h"
 #include "query/receiver_rays.h"
@@ -18,22 +17,7 @@
 namespace lkao {
 namespace {
 
-void require(bool condition, const char* option, const char* range, double value) {
-  if (!condition) throw std::invalid_argument(fmt::format("{} must be {}, not {}", option, range, value));
-}
-
-void validate(const QueryOptions& options) {
-  require(options.radius > 0 && (options.radius <= bvh::kLargestCoordinate || std::isinf(options.radius)), "radius",
-          "greater than 0 and at most 1e18, or infinity", options.radius);
-  require(options.jitter.rotation >= 0 && options.jitter.rotation <= 1, "jitter.rotation", "in [0, 1] turns",
-          options.jitter.rotation);
-  require(options.jitter.tilt >= 0 && options.jitter.tilt <= 0.5f * std::numbers::pi_v<float>, "jitter.tilt",
-          "in [0, pi/2] radians", options.jitter.tilt);
-  require(std::isfinite(options.surface_offset) && options.surface_offset >= 0, "surface_offset",
-          "finite and at least 0", options.surface_offset);
-}
-
-void validate(const std::vector<OccluderLevel>& levels) {
+void check(const std::vector<OccluderLevel>& levels) {
   if (levels.empty()) throw std::invalid_argument("levels must be at least one, not 0");
   for (std::size_t i = 0; i < levels.size(); ++i) {
     const float r_min = levels[i].r_min, r_max = levels[i].r_max;
@@ -42,7 +26,7 @@ void validate(const std::vector<OccluderLevel>& levels) {
   }
 }
 
-void validate(const PlaneMaskTable& table, const QueryOptions& options) {
+void check(const PlaneMaskTable& table, const RayOptions& options) {
   const auto lengths = table.pattern().lengths();
   if (std::isinf(options.radius) && std::any_of(lengths.begin(), lengths.end(), [](float l) { return l != 1; })) {
     throw std::invalid_argument("radius must be finite, not inf, for a plane mask table of rays of several lengths");
@@ -51,24 +35,26 @@ void validate(const PlaneMaskTable& table, const QueryOptions& options) {
 
 }  // namespace
 
-AmbientOcclusion::AmbientOcclusion(OccluderBvh occluders, SamplePattern pattern, const QueryOptions& options)
-    : AmbientOcclusion(std::vector{OccluderLevel{std::move(occluders)}}, std::move(pattern), options, {}) {}
+AmbientOcclusion::AmbientOcclusion(OccluderBvh occluders, SamplePattern pattern, const RayOptions& options,
+                                   Kernel kernel)
+    : AmbientOcclusion(std::vector{OccluderLevel{std::move(occluders)}}, std::move(pattern), options, kernel) {}
 
 AmbientOcclusion::AmbientOcclusion(const std::vector<OccluderLevel>& levels, SamplePattern pattern,
-                                   const QueryOptions& options)
-    : AmbientOcclusion(levels, std::move(pattern), options, {}) {}
-
-AmbientOcclusion::AmbientOcclusion(OccluderBvh occluders, PlaneMaskTable table, const QueryOptions& options)
-    : AmbientOcclusion(std::vector{OccluderLevel{std::move(occluders)}}, table.pattern(), options, table) {}
-
-AmbientOcclusion::AmbientOcclusion(const std::vector<OccluderLevel>& levels, SamplePattern pattern,
-                                   const QueryOptions& options, std::optional<PlaneMaskTable> table)
+                                   const RayOptions& options, Kernel kernel)
     : pattern_(std::move(pattern)) {
-  validate(options);
-  validate(levels);
-  if (table) validate(*table, options);
-  tracer_ = std::make_shared<query::Tracer>(levels, pattern_, options, std::move(table));
+  lut::check(options);
+  check(levels);
   lut::obey_isa_environment();
+  tracer_ = std::make_shared<query::Tracer>(levels, pattern_, options, kernel);
+}
+
+AmbientOcclusion::AmbientOcclusion(OccluderBvh occluders, PlaneMaskTable table, const RayOptions& options,
+                                   NodeMasks node_masks)
+    : pattern_(table.pattern()) {
+  lut::check(options);
+  check(table, options);
+  const std::vector levels{OccluderLevel{std::move(occluders)}};
+  tracer_ = std::make_shared<query::Tracer>(levels, pattern_, options, query::ByTable{std::move(table), node_masks});
 }
 
 ReceiverOcclusion AmbientOcclusion::query(const Receiver& receiver, std::uint64_t index) const {
@@ -104,7 +90,7 @@ void AmbientOcclusion::rays(const Receiver& receiver, std::uint64_t index, Recei
 }
 
 const OccluderBvh& AmbientOcclusion::occluders() const { return tracer_->first_occluders(); }
-const QueryOptions& AmbientOcclusion::options() const { return tracer_->options(); }
+const RayOptions& AmbientOcclusion::options() const { return tracer_->options(); }
 const PlaneMaskTable* AmbientOcclusion::table() const { return tracer_->table(); }
 
 }  // namespace lkao

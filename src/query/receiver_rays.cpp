@@ -8,7 +8,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "bvh/zero_area.h"
+#include "lut/coordinates.h"
 #include "lut/random.h"
 #include "query/turn_pattern.h"
 
@@ -16,7 +16,7 @@ namespace lkao::query {
 namespace {
 
 // Normals may have any length: the arithmetic is in double, where no float overflows.
-bool is_direction(const glm::vec3& v) { return bvh::is_finite(v) && v != glm::vec3(0); }
+bool is_direction(const glm::vec3& v) { return lut::is_finite(v) && v != glm::vec3(0); }
 
 glm::dvec3 unit(const glm::vec3& v) { return glm::normalize(glm::dvec3(v)); }
 
@@ -35,14 +35,14 @@ float largest_component(const glm::vec3& v) {
 }
 
 // How far the rays start above the surface.
-float offset_of(const Receiver& receiver, const QueryOptions& options, float largest_coordinate) {
+float offset_of(const Receiver& receiver, const RayOptions& options, float largest_coordinate) {
   return options.surface_offset * 0x1p-24f * std::max(largest_component(receiver.position), largest_coordinate);
 }
 
 }  // namespace
 
 bool is_valid(const Receiver& receiver) {
-  return bvh::is_in_range(receiver.position) && is_direction(receiver.normal) &&
+  return lut::is_in_range(receiver.position) && is_direction(receiver.normal) &&
          (receiver.geometric_normal == glm::vec3(0) || is_direction(receiver.geometric_normal));
 }
 
@@ -100,10 +100,10 @@ PatternLanes::PatternLanes(const SamplePattern& pattern, bool is_unbounded)
   }
 }
 
-Bounds bounds_of_origins(std::span<const Receiver> receivers, const QueryOptions& options, float largest_coordinate) {
+Bounds bounds_of_origins(std::span<const Receiver> receivers, const RayOptions& options, float largest_coordinate) {
   Bounds bounds{glm::vec3(std::numeric_limits<float>::infinity()), glm::vec3(-std::numeric_limits<float>::infinity())};
   for (const Receiver& receiver : receivers) {
-    if (!bvh::is_in_range(receiver.position)) continue;
+    if (!lut::is_in_range(receiver.position)) continue;
     // Twice the offset: rounding included.
     const glm::vec3 offset(2 * offset_of(receiver, options, largest_coordinate));
     bounds.lower = glm::min(bounds.lower, receiver.position - offset);
@@ -122,7 +122,7 @@ float radius_beyond(const Bounds& occluders, const glm::vec3& origin) {
   return static_cast<float>(std::exp2(std::ceil(std::log2(distance))));
 }
 
-void make_rays(const Receiver& receiver, const PatternLanes& pattern, const QueryOptions& options,
+void make_rays(const Receiver& receiver, const PatternLanes& pattern, const RayOptions& options,
                const OccluderExtent& occluders, std::uint64_t index, ReceiverRays& rays) {
   rays.cast = OcclusionMask();
   rays.ray_count = static_cast<int>(pattern.x.size());

@@ -44,14 +44,14 @@ struct PatternLanes {
 };
 
 // A box around the origins of the rays of all valid receivers; lower > upper where there is none.
-Bounds bounds_of_origins(std::span<const Receiver> receivers, const QueryOptions& options, float largest_coordinate);
+Bounds bounds_of_origins(std::span<const Receiver> receivers, const RayOptions& options, float largest_coordinate);
 
 // A radius that no point of `occluders` is farther away than from `origin`: a power of two, so that rays of this length
 // are exact multiples of their directions. 1 where there is no occluder.
 float radius_beyond(const Bounds& occluders, const glm::vec3& origin);
 
 // The pattern at the receiver; `cast` is empty where the receiver is invalid.
-void make_rays(const Receiver& receiver, const PatternLanes& pattern, const QueryOptions& options,
+void make_rays(const Receiver& receiver, const PatternLanes& pattern, const RayOptions& options,
                const OccluderExtent& occluders, std::uint64_t index, ReceiverRays& rays);
 
 }  // namespace lkao::query

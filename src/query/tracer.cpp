@@ -10,14 +10,24 @@
 
 namespace lkao::query {
 
-Tracer::Tracer(std::span<const OccluderLevel> levels, const SamplePattern& pattern, const QueryOptions& options,
-               std::optional<PlaneMaskTable> table)
+Tracer::Tracer(std::span<const OccluderLevel> levels, const SamplePattern& pattern, const RayOptions& options,
+               const AnyKernel& kernel)
     : options_(options),
       levels_(make_levels(levels, pattern, options.radius)),
       extent_(extent_of(levels_)),
       lanes_(pattern, std::isinf(options.radius)),
-      table_(std::move(table)),
+      kernel_(kernel),
       memories_(levels_.size()) {}
+
+const PlaneMaskTable* Tracer::table() const {
+  const auto* const by_table = std::get_if<ByTable>(&kernel_);
+  return by_table != nullptr ? &by_table->table : nullptr;
+}
+
+bool Tracer::is_simd() const {
+  const auto* const kernel = std::get_if<Kernel>(&kernel_);
+  return kernel != nullptr && *kernel == Kernel::simd;
+}
 
 Tracer::Visit::Visit(const Tracer& tracer) : tracer_(tracer) {
   if (tracer.is_simd()) memories_.emplace(tracer.memories_);
@@ -58,7 +68,7 @@ OcclusionMask Tracer::Visit::trace(const ReceiverRays& rays, std::uint32_t exclu
 
 OcclusionMask Tracer::Visit::trace_level(std::size_t level, const ReceiverRays& rays, const OcclusionMask& open,
                                          const bvh::RayParts* parts, std::uint32_t excluded_primitive) {
-  const QueryOptions& options = tracer_.options_;
+  const RayOptions& options = tracer_.options_;
   const bvh::Layout& layout = tracer_.levels_[level].occluders.layout();
   const bvh::Query query{.roots = entries_.empty() ? layout.roots() : entries_[level].nodes(),
                          .rays = rays,
@@ -68,9 +78,10 @@ OcclusionMask Tracer::Visit::trace_level(std::size_t level, const ReceiverRays& 
                          .excluded_primitive = excluded_primitive,
                          .parts = parts,
                          .memory = memories_ ? &(*memories_)[level] : nullptr};
-  if (tracer_.table_) return bvh::trace_table(layout, query, *tracer_.table_, options.node_masks);
-  if (options.kernel == Kernel::scalar) return bvh::trace_scalar(layout, query);
-  return bvh::trace_simd(layout, query, tracer_.lanes_.cones);
+  if (const auto* const by_table = std::get_if<ByTable>(&tracer_.kernel_)) {
+    return bvh::trace_table(layout, query, by_table->table, by_table->node_masks);
+  }
+  return tracer_.is_simd() ? bvh::trace_simd(layout, query, tracer_.lanes_.cones) : bvh::trace_scalar(layout, query);
 }
 
 }  // namespace lkao::query

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <variant>
 #include <vector>
 
 #include "bvh/entry_nodes.h"
@@ -14,18 +15,25 @@
 
 namespace lkao::query {
 
+// Answers by look-ups.
+struct ByTable {
+  PlaneMaskTable table;
+  NodeMasks node_masks;
+};
+using AnyKernel = std::variant<Kernel, ByTable>;
+
 // All that an AmbientOcclusion has prepared. Any number of threads may use it, each through a Visit of its own.
 class Tracer {
  public:
-  // `table`: to answer by look-ups. Nothing is checked here.
-  Tracer(std::span<const OccluderLevel> levels, const SamplePattern& pattern, const QueryOptions& options,
-         std::optional<PlaneMaskTable> table);
+  // Nothing is checked here.
+  Tracer(std::span<const OccluderLevel> levels, const SamplePattern& pattern, const RayOptions& options,
+         const AnyKernel& kernel);
 
-  const QueryOptions& options() const { return options_; }
+  const RayOptions& options() const { return options_; }
   const OccluderBvh& first_occluders() const { return levels_.front().occluders; }
   const OccluderExtent& extent() const { return extent_; }
   const PatternLanes& lanes() const { return lanes_; }
-  const PlaneMaskTable* table() const { return table_ ? &*table_ : nullptr; }
+  const PlaneMaskTable* table() const;
 
   // What one thread needs to trace receivers one after the other: where to enter each hierarchy, and what blocked rays
   // before.
@@ -49,13 +57,13 @@ class Tracer {
   };
 
  private:
-  bool is_simd() const { return !table_ && options_.kernel == Kernel::simd; }
+  bool is_simd() const;
 
-  QueryOptions options_;
+  RayOptions options_;
   std::vector<Level> levels_;
   OccluderExtent extent_;
   PatternLanes lanes_;
-  std::optional<PlaneMaskTable> table_;
+  AnyKernel kernel_;
   mutable BlockerMemories memories_;
 };
 

@@ -11,6 +11,8 @@
 
 #include <hwy/highway.h>
 
+#include "lut/isa.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace lkao::query::HWY_NAMESPACE {
 namespace {
@@ -71,7 +73,7 @@ HWY_EXPORT(turn_pattern);
 
 void turn_pattern(const PatternLanes& pattern, const glm::mat3& frame, float radius, const glm::vec3& up,
                   ReceiverRays& rays) {
-  HWY_DYNAMIC_DISPATCH(turn_pattern)(pattern, frame, radius, up, rays);
+  LKAO_DISPATCH(turn_pattern)(pattern, frame, radius, up, rays);
 }
 
 }  // namespace lkao::query

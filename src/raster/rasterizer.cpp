@@ -43,7 +43,7 @@ gl::OcclusionPass& Rasterizer::pass() {
   return *pass_;
 }
 
-double Rasterizer::draw(const gl::DrawOptions& options, bool with_bent_normals) {
+double Rasterizer::draw(const RayOptions& options, const gl::RasterOptions& raster, bool with_bent_normals) {
   gl::OcclusionPass& pass = this->pass();
   require(textures_.has_value(), "no view: call set_view() first");
   drawn_ = Drawn::nothing;
@@ -51,7 +51,7 @@ double Rasterizer::draw(const gl::DrawOptions& options, bool with_bent_normals) 
   const gl::ResolveTargets targets = textures_->targets(with_bent_normals);
   glFinish();
   const Clock::time_point start = Clock::now();
-  pass.draw(g_buffer, camera_, options);
+  pass.draw(g_buffer, camera_, options, raster);
   pass.resolve(targets);
   glFinish();
   const double seconds = std::chrono::duration<double>(Clock::now() - start).count();

@@ -40,7 +40,7 @@ class Rasterizer {
 
   // One frame, masks and resolve, with nothing else under way; returns its seconds. The first one includes what a
   // driver leaves to the last moment, such as compiling shaders.
-  double draw(const gl::DrawOptions& options, bool with_bent_normals = false);
+  double draw(const RayOptions& options, const gl::RasterOptions& raster = {}, bool with_bent_normals = false);
 
   // Of the last frame, one a pixel, row by row from the top; NaN where there is no receiver, or one that casts no ray.
   std::vector<float> read_occlusion() const;

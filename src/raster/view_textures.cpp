@@ -13,7 +13,7 @@
 namespace lkao::raster {
 namespace {
 
-constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
 // No occlusion is negative; shaders need not keep NaN.
 constexpr float kNoReceiver = -1;
 
@@ -84,7 +84,7 @@ gl::ResolveTargets ViewTextures::targets(bool with_bent_normals) {
 
 std::vector<float> ViewTextures::read_occlusion() const {
   std::vector<float> occlusion = read<float>(occlusion_, GL_RED, width_, height_);
-  std::replace(occlusion.begin(), occlusion.end(), kNoReceiver, kNan);
+  std::replace(occlusion.begin(), occlusion.end(), kNoReceiver, kNaN);
   return occlusion;
 }
 
@@ -92,7 +92,7 @@ std::vector<glm::vec3> ViewTextures::read_bent_normals() const {
   const std::vector<glm::vec4> texels = read<glm::vec4>(bent_normals_, GL_RGBA, width_, height_);
   std::vector<glm::vec3> bent_normals;
   bent_normals.reserve(texels.size());
-  for (const glm::vec4& texel : texels) bent_normals.push_back(texel.w > 0 ? glm::vec3(texel) : glm::vec3(kNan));
+  for (const glm::vec4& texel : texels) bent_normals.push_back(texel.w > 0 ? glm::vec3(texel) : glm::vec3(kNaN));
   return bent_normals;
 }
 

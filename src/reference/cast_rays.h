@@ -3,7 +3,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "bvh/traversal.h"
+#include "bvh/query.h"
 #include "lkao/ambient_occlusion.h"
 
 namespace lkao::reference {

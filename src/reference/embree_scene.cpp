@@ -9,7 +9,8 @@
 
 #include <glm/geometric.hpp>
 
-#include "bvh/zero_area.h"
+#include "bvh/usable_triangle.h"
+#include "lut/coordinates.h"
 
 namespace lkao::reference {
 namespace {
@@ -48,7 +49,7 @@ bool can_block(const TriangleMesh& mesh, const glm::uvec3& triangle) {
   const glm::vec3& a = mesh.positions[triangle.x];
   const glm::vec3& b = mesh.positions[triangle.y];
   const glm::vec3& c = mesh.positions[triangle.z];
-  return bvh::is_in_range(a, b, c) && !bvh::has_zero_area(a, b, c);
+  return lut::is_in_range(a, b, c) && !bvh::has_zero_area(a, b, c);
 }
 
 // Copies `values` into a new buffer of Embree's, which pads it as its vector loads need. Null where out of memory.

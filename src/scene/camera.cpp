@@ -13,7 +13,8 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
-#include "bvh/zero_area.h"
+#include "bvh/usable_triangle.h"
+#include "lut/coordinates.h"
 #include "scene/embree_handles.h"
 
 namespace lkao::scene {
@@ -54,7 +55,7 @@ std::vector<glm::uvec3> visible_triangles(const Mesh& mesh) {
     const glm::vec3& a = mesh.positions[triangle.x];
     const glm::vec3& b = mesh.positions[triangle.y];
     const glm::vec3& c = mesh.positions[triangle.z];
-    if (!bvh::is_in_range(a, b, c) || bvh::has_zero_area(a, b, c)) triangle = glm::uvec3(triangle.x);
+    if (!lut::is_in_range(a, b, c) || bvh::has_zero_area(a, b, c)) triangle = glm::uvec3(triangle.x);
   }
   return triangles;
 }
@@ -171,9 +172,9 @@ double distance_to_fit(const Bounds& bounds, const glm::dvec3& to_eye, const glm
 void validate(const Camera& camera) {
   const auto fail = [](const std::string& what) { throw std::invalid_argument("camera: " + what); };
   const auto text = [](const glm::vec3& v) { return fmt::format("({}, {}, {})", v.x, v.y, v.z); };
-  if (!bvh::is_finite(camera.eye)) fail("eye is not finite: " + text(camera.eye));
-  if (!bvh::is_finite(camera.target)) fail("target is not finite: " + text(camera.target));
-  if (!bvh::is_finite(camera.up)) fail("up is not finite: " + text(camera.up));
+  if (!lut::is_finite(camera.eye)) fail("eye is not finite: " + text(camera.eye));
+  if (!lut::is_finite(camera.target)) fail("target is not finite: " + text(camera.target));
+  if (!lut::is_finite(camera.up)) fail("up is not finite: " + text(camera.up));
   if (!(camera.fov > 0 && camera.fov < 180)) fail(fmt::format("fov is {} degrees, not between 0 and 180", camera.fov));
   if (camera.eye == camera.target) fail("eye and target are the same point " + text(camera.eye));
   if (camera.up == glm::vec3(0.0f)) fail("up is zero");
@@ -183,11 +184,11 @@ void validate(const Camera& camera) {
 }
 
 Camera frame(const Bounds& bounds, float aspect, const glm::vec3& up, float fov) {
-  if (!bvh::is_finite(bounds.lower) || !bvh::is_finite(bounds.upper)) {
+  if (!lut::is_finite(bounds.lower) || !lut::is_finite(bounds.upper)) {
     throw std::invalid_argument("frame: there is nothing to look at, the bounds are empty or not finite");
   }
   if (!(aspect > 0) || !std::isfinite(aspect)) throw std::invalid_argument(fmt::format("frame: aspect is {}", aspect));
-  if (!bvh::is_finite(up) || up == glm::vec3(0.0f)) throw std::invalid_argument("frame: up is zero or not finite");
+  if (!lut::is_finite(up) || up == glm::vec3(0.0f)) throw std::invalid_argument("frame: up is zero or not finite");
   if (!(fov > 0 && fov < 180)) throw std::invalid_argument(fmt::format("frame: fov is {} degrees", fov));
 
   const glm::dvec3 to_eye = three_quarter_direction(glm::dvec3(up));

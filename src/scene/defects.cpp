@@ -6,7 +6,8 @@
 #include <cstdint>
 #include <unordered_set>
 
-#include "bvh/zero_area.h"
+#include "bvh/usable_triangle.h"
+#include "lut/coordinates.h"
 
 namespace lkao::scene {
 
@@ -50,7 +51,7 @@ Defects find_defects(const Mesh& mesh) {
     for (int i = 0; i < 3; ++i) used[triangle[i]] = true;
     glm::vec3 corners[3];
     corners_of(mesh, triangle, corners);
-    if (!bvh::is_in_range(corners[0], corners[1], corners[2])) {
+    if (!lut::is_in_range(corners[0], corners[1], corners[2])) {
       ++defects.non_finite_count;
     } else if (bvh::has_zero_area(corners[0], corners[1], corners[2])) {
       ++defects.zero_area_count;
@@ -66,7 +67,7 @@ void drop_bad_triangles(Mesh& mesh) {
   std::erase_if(mesh.triangles, [&mesh](const glm::uvec3& triangle) {
     glm::vec3 corners[3];
     corners_of(mesh, triangle, corners);
-    return !bvh::is_in_range(corners[0], corners[1], corners[2]) ||
+    return !lut::is_in_range(corners[0], corners[1], corners[2]) ||
            bvh::has_zero_area(corners[0], corners[1], corners[2]);
   });
 }

@@ -7,7 +7,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "bvh/zero_area.h"
+#include "bvh/usable_triangle.h"
+#include "lut/coordinates.h"
 
 namespace lkao::scene {
 
@@ -26,7 +27,7 @@ Bounds bounds_of(const Mesh& mesh) {
   for (const glm::uvec3& triangle : mesh.triangles) {
     for (int corner = 0; corner < 3; ++corner) {
       const glm::vec3& p = mesh.positions[triangle[corner]];
-      if (!bvh::is_in_range(p)) continue;
+      if (!lut::is_in_range(p)) continue;
       bounds.lower = glm::min(bounds.lower, p);
       bounds.upper = glm::max(bounds.upper, p);
     }
@@ -52,7 +53,7 @@ std::vector<glm::vec3> vertex_normals(const Mesh& mesh) {
   for (const glm::uvec3& triangle : mesh.triangles) {
     glm::vec3 corners[3];
     for (int i = 0; i < 3; ++i) corners[i] = mesh.positions[triangle[i]];
-    if (!bvh::is_in_range(corners[0], corners[1], corners[2])) continue;
+    if (!lut::is_in_range(corners[0], corners[1], corners[2])) continue;
     if (bvh::has_zero_area(corners[0], corners[1], corners[2])) continue;
     const glm::dvec3 normal = glm::normalize(bvh::area_vector(corners[0], corners[1], corners[2]));
     for (int i = 0; i < 3; ++i) {

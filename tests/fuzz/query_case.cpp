@@ -10,7 +10,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "bvh/zero_area.h"
+#include "bvh/usable_triangle.h"
 #include "fuzz/byte_source.h"
 #include "fuzz/soup.h"
 
@@ -88,7 +88,8 @@ class QueryCaseDecoder {
   QueryCase decode() {
     const BuildOptions build{.spatial_splits = !bytes_.once_in(3)};
     NamedPattern pattern = decode_pattern(bytes_);
-    const QueryOptions options = decode_options();
+    const RayOptions options = decode_options();
+    const NodeMasks node_masks = bytes_.once_in(2) ? NodeMasks::bounding_sphere : NodeMasks::box_outline;
     const std::uint64_t first_index = bytes_.next_byte();
     // Brute force over all triangles is what takes the time.
     const std::size_t tests =
@@ -101,22 +102,30 @@ class QueryCaseDecoder {
     const std::span<const float> lengths = pattern.pattern.lengths();
     const bool are_equal = std::equal(lengths.begin() + 1, lengths.end(), lengths.begin());
     if (std::isinf(options.radius) && !are_equal) pattern.table.reset();
-    return {is_wild_, std::move(soup_.mesh), build,       pattern.pattern, std::move(pattern.name), pattern.table,
-            options,  std::move(receivers),  first_index, level_end};
+    return {is_wild_,
+            std::move(soup_.mesh),
+            build,
+            pattern.pattern,
+            std::move(pattern.name),
+            pattern.table,
+            options,
+            node_masks,
+            std::move(receivers),
+            first_index,
+            level_end};
   }
 
  private:
-  QueryOptions decode_options() {
+  RayOptions decode_options() {
     constexpr float kRotations[] = {0, 1, 0.25f};
     constexpr float kTilts[] = {0, 0, 0.1f, 1.5f};
     constexpr float kOffsets[] = {16, 16, 0, 1, 1000};
-    QueryOptions options;
+    RayOptions options;
     options.radius = decode_radius();
     options.sidedness = bytes_.once_in(3) ? Sidedness::one_sided : Sidedness::two_sided;
     options.jitter = {.rotation = bytes_.pick(kRotations), .tilt = bytes_.pick(kTilts)};
     options.seed = bytes_.next_byte();
     options.surface_offset = bytes_.pick(kOffsets);
-    options.node_masks = bytes_.once_in(2) ? NodeMasks::bounding_sphere : NodeMasks::box_outline;
     return options;
   }
 

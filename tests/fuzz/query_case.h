@@ -21,7 +21,8 @@ struct QueryCase {
   SamplePattern pattern;
   std::string pattern_name;             // for messages
   std::optional<PlaneMaskTable> table;  // of this pattern, with must/may masks, where there is one
-  QueryOptions options;
+  RayOptions options;
+  NodeMasks node_masks = NodeMasks::box_outline;  // of the table kernel
   std::vector<Receiver> receivers;
   std::uint64_t first_index = 0;
   float level_end = 0;  // where two levels of detail meet, if it is not 0; then no receiver excludes a primitive

@@ -39,7 +39,7 @@ std::string differing_rays(const OcclusionMask& a, const OcclusionMask& b) {
 
 std::string describe(const QueryCase& c, std::size_t receiver) {
   const Receiver& r = c.receivers[receiver];
-  const QueryOptions& o = c.options;
+  const RayOptions& o = c.options;
   return fmt::format(
       "  receiver {} of {}: position {}, normal {}, geometric normal {}, excluded primitive {}, index {}\n"
       "  {} triangles, spatial splits {}, pattern {}, radius {:.9g}, {}-sided, jitter {:g} turns {:g} rad, seed {}, "
@@ -148,16 +148,10 @@ struct ForcedIsa {
 
 std::string find_difference(const QueryCase& c) {
   const OccluderBvh occluders(c.mesh.view(), c.build);
-  const auto make_query = [&](Kernel kernel) {
-    QueryOptions options = c.options;
-    options.kernel = kernel;
-    return AmbientOcclusion(occluders, c.pattern, options);
-  };
+  const auto make_query = [&](Kernel kernel) { return AmbientOcclusion(occluders, c.pattern, c.options, kernel); };
   // The same occluders near by and farther away: the answer is that without levels.
   const auto make_levels = [&](Kernel kernel) {
-    QueryOptions options = c.options;
-    options.kernel = kernel;
-    return AmbientOcclusion({{occluders, 0, c.level_end}, {occluders, c.level_end}}, c.pattern, options);
+    return AmbientOcclusion({{occluders, 0, c.level_end}, {occluders, c.level_end}}, c.pattern, c.options, kernel);
   };
   const AmbientOcclusion scalar = make_query(Kernel::scalar), simd = make_query(Kernel::simd);
   Comparison comparison(c, scalar);
@@ -169,7 +163,7 @@ std::string find_difference(const QueryCase& c) {
     comparison.add("the SIMD kernel on " + isa, simd);
     if (c.level_end > 0) comparison.add("two levels on " + isa, make_levels(Kernel::simd));
   }
-  if (c.table) comparison.add("the table kernel", AmbientOcclusion(occluders, *c.table, c.options));
+  if (c.table) comparison.add("the table kernel", AmbientOcclusion(occluders, *c.table, c.options, c.node_masks));
   return comparison.difference();
 }
 

@@ -29,7 +29,7 @@ TEST_F(BackEnds, AllCombinationsGiveTheSameMasks) {
         EXPECT_EQ(pass.geometry(), geometry);
         EXPECT_EQ(pass.accumulator(), accumulator);
         for (const bool two_sided : {false, true}) {
-          const auto result = draw(pass, {.radius = 0.8f, .two_sided = two_sided});
+          const auto result = draw(pass, {.radius = 0.8f, .sidedness = sidedness_of(two_sided)});
           if (first[two_sided].empty()) first[two_sided] = result;
           EXPECT_EQ(count_differences(result, first[two_sided]), 0u);
         }
@@ -47,11 +47,12 @@ TEST_F(BackEnds, ShapesOnlyBoundTheInfluence) {
     for (const bool two_sided : {false, true}) {
       for (const float radius : {0.02f, 0.3f, 1.5f}) {
         SCOPED_TRACE(testing::Message() << "two-sided " << two_sided << ", radius " << radius);
-        const auto prisms = draw(pass, {.radius = radius, .two_sided = two_sided, .billboard_threshold = 0});
+        const auto prisms =
+            draw(pass, {.radius = radius, .sidedness = sidedness_of(two_sided)}, {.billboard_threshold = 0});
         const auto prism_fragments = pass.read_fragment_counts();
-        const auto mixed = draw(pass, {.radius = radius, .two_sided = two_sided});
+        const auto mixed = draw(pass, {.radius = radius, .sidedness = sidedness_of(two_sided)});
         const auto billboards =
-            draw(pass, {.radius = radius, .two_sided = two_sided, .billboard_threshold = kInfinity});
+            draw(pass, {.radius = radius, .sidedness = sidedness_of(two_sided)}, {.billboard_threshold = kInfinity});
         const auto billboard_fragments = pass.read_fragment_counts();
         EXPECT_EQ(count_differences(prisms, mixed), 0u);
         EXPECT_EQ(count_differences(prisms, billboards), 0u);
@@ -76,7 +77,8 @@ TEST_F(BackEnds, ShapesMayHaveMarginsAsLargeAsTheRadius) {
   for (const bool two_sided : {false, true}) {
     for (const float threshold : {0.0f, kInfinity}) {
       pass.draw(g_buffer.by_positions(), camera_,
-                {.radius = 0.1f, .two_sided = two_sided, .surface_offset = 1000.0f, .billboard_threshold = threshold});
+                {.radius = 0.1f, .sidedness = sidedness_of(two_sided), .surface_offset = 1000.0f},
+                {.billboard_threshold = threshold});
       masks[threshold > 0] = pass.read_masks();
     }
     EXPECT_GT(count_bits(masks[0]), 1000u);
@@ -89,17 +91,17 @@ TEST_F(BackEnds, CullsSaveWorkAndChangeNothing) {
   OcclusionPass pass = make_pass(mesh_, table, {.count_fragments = true});
   for (const bool two_sided : {false, true}) {
     Culls culls{false, false, false, false, false};
-    DrawOptions options{.radius = 0.6f, .two_sided = two_sided, .culls = culls};
-    const auto expected = draw(pass, options);
+    const RayOptions options{.radius = 0.6f, .sidedness = sidedness_of(two_sided)};
+    const auto expected = draw(pass, options, {.culls = culls});
     FragmentCounts before = pass.read_fragment_counts();
     EXPECT_EQ(before.survivors, before.drawn);
     // One more each time, in the paper's order.
     for (bool Culls::*cull :
          {&Culls::far_depth, &Culls::bounding_sphere, &Culls::facing, &Culls::plane_distance, &Culls::horizon}) {
-      options.culls.*cull = true;
-      const auto masks = draw(pass, options);
+      culls.*cull = true;
+      const auto masks = draw(pass, options, {.culls = culls});
       // Nearest cells also see rays that the horizon cuts off; in exact masks there are none.
-      const bool is_exact = !options.culls.horizon;
+      const bool is_exact = !culls.horizon;
       EXPECT_LE(count_differences(masks, expected), is_exact ? 0u : count_bits(expected) / 100);
       const FragmentCounts counts = pass.read_fragment_counts();
       EXPECT_EQ(counts.drawn, before.drawn);
@@ -115,9 +117,9 @@ TEST_F(BackEnds, CullsChangeNoExactMask) {
   const PlaneMaskTable table(SamplePattern::standard(64), {.resolution = 48});
   OcclusionPass pass = make_pass(mesh_, table);
   for (const bool two_sided : {false, true}) {
-    const auto with = draw(pass, {.radius = 0.6f, .two_sided = two_sided});
-    const auto without =
-        draw(pass, {.radius = 0.6f, .two_sided = two_sided, .culls = {false, false, false, false, false, false}});
+    const auto with = draw(pass, {.radius = 0.6f, .sidedness = sidedness_of(two_sided)});
+    const auto without = draw(pass, {.radius = 0.6f, .sidedness = sidedness_of(two_sided)},
+                              {.culls = {false, false, false, false, false, false}});
     EXPECT_EQ(count_differences(with, without), 0u);
   }
 }

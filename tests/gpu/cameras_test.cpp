@@ -48,10 +48,9 @@ class Cameras : public OnSoftware {
  protected:
   // The masks of the last draw against the CPU's at the very same receivers.
   static void expect_cpu_masks(OcclusionPass& pass, const Mesh& mesh, const SamplePattern& pattern,
-                               const DrawOptions& options) {
+                               const RayOptions& options) {
     const OccluderBvh occluders(mesh.view());
     const query::PatternLanes lanes(pattern);
-    const Sidedness sidedness = options.two_sided ? Sidedness::two_sided : Sidedness::one_sided;
     const std::vector<PixelReceiver> receivers = pass.read_receivers();
     const std::vector<std::uint64_t> masks = pass.read_masks();
     const auto words = static_cast<std::size_t>(pattern.word_count());
@@ -61,7 +60,7 @@ class Cameras : public OnSoftware {
       if (receivers[i].is_valid) {
         ++receiver_count;
         const ReceiverRays rays = rays_of(receivers[i], lanes, options.radius);
-        expected = cpu_mask(occluders, rays, options.radius, sidedness);
+        expected = cpu_mask(occluders, rays, options.radius, options.sidedness);
       }
       for (std::size_t word = 0; word < words; ++word) {
         bit_count += static_cast<unsigned>(std::popcount(expected.words[word]));
@@ -83,7 +82,7 @@ TEST_F(Cameras, OfAllKindsGiveTheCpusMasks) {
     const auto receivers = g_buffer.receivers();
     for (const bool two_sided : {true, false}) {
       // Depths round so coarsely that receivers would lie before, in and behind their surfaces: they start farther off.
-      const DrawOptions options{.radius = 0.7f, .two_sided = two_sided, .surface_offset = 2000.0f};
+      const RayOptions options{.radius = 0.7f, .sidedness = sidedness_of(two_sided), .surface_offset = 2000.0f};
       for (const GBuffer& textures : {g_buffer.by_positions(), g_buffer.by_depth(), g_buffer.by_linear_depth()}) {
         SCOPED_TRACE(name + (textures.depth != 0          ? ", by depth"
                              : textures.linear_depth != 0 ? ", by linear depth"
@@ -113,8 +112,8 @@ TEST_F(Cameras, MayStandInsideOfTheShapes) {
   for (const GeometryBackEnd geometry : {GeometryBackEnd::vertex_pulling, GeometryBackEnd::geometry_shader}) {
     OcclusionPass pass = make_pass(mesh, table, {.geometry = geometry});
     for (const bool two_sided : {true, false}) {
-      const DrawOptions options{.radius = 9.0f, .two_sided = two_sided, .billboard_threshold = 100.0f};
-      pass.draw(g_buffer.by_positions(), camera, options);
+      const RayOptions options{.radius = 9.0f, .sidedness = sidedness_of(two_sided)};
+      pass.draw(g_buffer.by_positions(), camera, options, {.billboard_threshold = 100.0f});
       expect_cpu_masks(pass, mesh, table.pattern(), options);
     }
   }
@@ -132,7 +131,7 @@ TEST_F(Cameras, MayBeFarFromTheOriginAndInAnyUnit) {
     const GBufferPass g_buffer(mesh, camera, kWidth, kHeight);
     const PlaneMaskTable table(SamplePattern::standard(64), {.resolution = 32});
     OcclusionPass pass = make_pass(mesh, table);
-    const DrawOptions options{.radius = 0.7f * scale};
+    const RayOptions options{.radius = 0.7f * scale};
     pass.draw(g_buffer.by_positions(), camera, options);
     expect_cpu_masks(pass, mesh, table.pattern(), options);
   }

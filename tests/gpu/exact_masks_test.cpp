@@ -20,13 +20,12 @@ class ExactMasks : public InFurnishedRoom<kWidth, kHeight> {
  protected:
   // Few differences from the CPU, and each explained.
   void expect_close(const std::vector<std::uint64_t>& masks, const std::vector<Receiver>& receivers,
-                    const SamplePattern& pattern, const DrawOptions& options) {
-    const QueryOptions query = query_options(options);
-    const std::vector<std::uint64_t> expected = cpu_masks(mesh_, receivers, pattern, query);
+                    const SamplePattern& pattern, const RayOptions& options) {
+    const std::vector<std::uint64_t> expected = cpu_masks(mesh_, receivers, pattern, options);
     const std::uint64_t difference_count = count_differences(masks, expected), bit_count = count_bits(expected);
     ASSERT_GT(bit_count, masks.size() * 3) << "the scene has too little occlusion to tell anything";
     EXPECT_LE(static_cast<double>(difference_count), kLargestShare * static_cast<double>(masks.size() * 64));
-    EXPECT_EQ(count_unexplained(mesh_.view(), masks, expected, receivers, pattern, query), 0u)
+    EXPECT_EQ(count_unexplained(mesh_.view(), masks, expected, receivers, pattern, options), 0u)
         << "of " << difference_count;
     RecordProperty("differing_rays_" + std::to_string(record_count_++),
                    std::to_string(difference_count) + " of " + std::to_string(masks.size() * 64));
@@ -41,11 +40,11 @@ TEST_F(ExactMasks, AreTheCpusInFloat) {
   for (const bool two_sided : {true, false}) {
     for (const float radius : {0.15f, 0.8f, 3.0f}) {
       SCOPED_TRACE(testing::Message() << "two-sided " << two_sided << ", radius " << radius);
-      const DrawOptions options{.radius = radius, .two_sided = two_sided, .seed = 3};
+      const RayOptions options{.radius = radius, .sidedness = sidedness_of(two_sided), .seed = 3};
       const std::vector<std::uint64_t> masks = draw(pass, options);
       if (radius < 0.5f) {
         // Too few rays are blocked for expect_close.
-        const auto expected = cpu_masks(mesh_, g_buffer_->receivers(), table.pattern(), query_options(options));
+        const auto expected = cpu_masks(mesh_, g_buffer_->receivers(), table.pattern(), options);
         EXPECT_LT(count_differences(masks, expected), 100u);
         EXPECT_GT(count_bits(expected), 1000u);
         continue;
@@ -59,9 +58,9 @@ TEST_F(ExactMasks, AreTheCpusBitForBitInDouble) {
   for (const PlaneAddressing addressing : {PlaneAddressing::slices, PlaneAddressing::cube}) {
     const PlaneMaskTable table(SamplePattern::standard(128), {.resolution = 48, .addressing = addressing});
     OcclusionPass pass = make_pass(mesh_, table, {.precision = Precision::double_precision});
-    const DrawOptions options{.radius = 1.0f, .seed = 11};
+    const RayOptions options{.radius = 1.0f, .seed = 11};
     pass.draw(g_buffer_->by_positions(), camera_, options);
-    const auto expected = cpu_masks(mesh_, g_buffer_->receivers(), table.pattern(), query_options(options));
+    const auto expected = cpu_masks(mesh_, g_buffer_->receivers(), table.pattern(), options);
     // A frame may differ in its last bit, where two doubles round to float differently.
     const std::uint64_t difference_count = count_differences(pass.read_masks(), expected);
     EXPECT_LE(difference_count, 2u);
@@ -86,7 +85,7 @@ TEST_F(ExactMasks, FollowFalloffTiltAndGeometricNormals) {
 
   const PlaneMaskTable table(SamplePattern::standard(128).with_falloff(Falloff::linear()), {.resolution = 64});
   OcclusionPass pass = make_pass(mesh_, table);
-  const DrawOptions options{.radius = 2.5f, .rotation = 0.25f, .tilt = 0.1f, .seed = 0x123456789abcdefu};
+  const RayOptions options{.radius = 2.5f, .jitter = {0.25f, 0.1f}, .seed = 0x123456789abcdefu};
   pass.draw(textures, camera_, options);
   expect_close(pass.read_masks(), receivers, table.pattern(), options);
 }
@@ -99,7 +98,7 @@ TEST_F(ExactMasks, HaveFrom64To1024Rays) {
     const PlaneMaskTable table(SamplePattern::standard(ray_count), {.resolution = 32});
     for (const Accumulator accumulator : {Accumulator::logic_op, Accumulator::ssbo}) {
       OcclusionPass pass = make_pass(mesh_, table, {.accumulator = accumulator});
-      const DrawOptions options{.radius = 1.0f};
+      const RayOptions options{.radius = 1.0f};
       pass.draw(g_buffer.by_positions(), camera_, options);
       expect_close(pass.read_masks(), g_buffer.receivers(), table.pattern(), options);
     }
@@ -115,7 +114,7 @@ TEST_F(ExactMasks, StandOnTrianglesThatOverlapByThousands) {
   const GBufferPass g_buffer(mesh_, camera_, width, height);
   const PlaneMaskTable table(SamplePattern::standard(64), {.resolution = 32});
   OcclusionPass pass = make_pass(mesh_, table, {.count_fragments = true});
-  const DrawOptions options{.radius = 0.5f};
+  const RayOptions options{.radius = 0.5f};
   pass.draw(g_buffer.by_positions(), camera_, options);
   EXPECT_GT(pass.read_fragment_counts().masks, 50u * width * height);
   expect_close(pass.read_masks(), g_buffer.receivers(), table.pattern(), options);
@@ -125,7 +124,7 @@ TEST_F(ExactMasks, IgnoreTrianglesThatBlockNothing) {
   const GBufferPass g_buffer(mesh_, camera_, 64, 48);
   const PlaneMaskTable table(SamplePattern::standard(64), {.resolution = 32});
   OcclusionPass pass = make_pass(mesh_, table);
-  const DrawOptions options{.radius = 1.0f};
+  const RayOptions options{.radius = 1.0f};
   pass.draw(g_buffer.by_positions(), camera_, options);
   const std::vector<std::uint64_t> expected = pass.read_masks();
 

@@ -30,15 +30,16 @@ constexpr int kHeight = 120;
 
 struct Golden {
   const char* name;
-  DrawOptions options;
+  RayOptions options;
   SamplePattern pattern;
 };
 
 std::vector<Golden> all_golden() {
   const SamplePattern& pattern = SamplePattern::standard(128);
-  return {
-      {"two_sided", {.radius = 0.8f}, pattern},
-      {"one_sided_linear", {.radius = 2.5f, .two_sided = false, .seed = 7}, pattern.with_falloff(Falloff::linear())}};
+  return {{"two_sided", {.radius = 0.8f}, pattern},
+          {"one_sided_linear",
+           {.radius = 2.5f, .sidedness = Sidedness::one_sided, .seed = 7},
+           pattern.with_falloff(Falloff::linear())}};
 }
 
 std::string path_of(const Golden& golden) { return std::string(LKAO_GOLDEN_DIR "/") + golden.name + ".png"; }
@@ -121,7 +122,7 @@ TEST(GoldenImages, AreWhatTheQueryAnswers) {
   const std::vector<Receiver> receivers = cast_camera_rays(mesh, room_camera(kWidth, kHeight));
   for (const Golden& golden : all_golden()) {
     std::vector<float> occlusion(receivers.size());
-    AmbientOcclusion(OccluderBvh(mesh.view()), golden.pattern, query_options(golden.options))
+    AmbientOcclusion(OccluderBvh(mesh.view()), golden.pattern, golden.options)
         .query(receivers, {.occlusion = occlusion});
     for (float& value : occlusion) value = std::isnan(value) ? 0 : value;
     if (std::getenv("LKAO_REMAKE_GOLDEN") != nullptr) {
@@ -136,7 +137,7 @@ class GoldenImagesOnSoftware : public OnSoftware {
  protected:
   // What the pass resolves for receivers given as textures.
   static std::vector<float> draw(OcclusionPass& pass, const std::vector<Receiver>& receivers, const Camera& camera,
-                                 const DrawOptions& options) {
+                                 const RayOptions& options) {
     std::vector<glm::vec4> positions, normals;
     for (const Receiver& receiver : receivers) {
       positions.emplace_back(receiver.position, 1);

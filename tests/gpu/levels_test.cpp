@@ -33,7 +33,7 @@ struct Levels {
   }
 
   std::vector<std::uint64_t> cpu_masks(const std::vector<Receiver>& receivers, const SamplePattern& pattern,
-                                       const QueryOptions& options) const {
+                                       const RayOptions& options) const {
     std::vector<std::uint64_t> masks(receivers.size() * static_cast<std::size_t>(pattern.word_count()));
     AmbientOcclusion(levels, pattern, options).query(receivers, {.mask_words = masks});
     return masks;
@@ -72,8 +72,8 @@ TEST_F(LevelsInThePass, AreTheCpusBitForBitInDouble) {
     const PlaneMaskTable table(SamplePattern::standard(128).with_falloff(falloff), {.resolution = 48});
     OcclusionPass pass = make_pass(levels, table, {.precision = Precision::double_precision});
     for (const float radius : {0.25f, 0.95f, 2.5f}) {
-      const DrawOptions options{.radius = radius, .seed = 5};
-      const auto expected = levels.cpu_masks(g_buffer_->receivers(), table.pattern(), query_options(options));
+      const RayOptions options{.radius = radius, .seed = 5};
+      const auto expected = levels.cpu_masks(g_buffer_->receivers(), table.pattern(), options);
       // A frame may differ in its last bit, where two doubles round to float differently.
       EXPECT_LE(count_differences(draw(pass, options), expected), 2u) << falloff.name() << ", radius " << radius;
       EXPECT_GT(count_bits(expected), 1000u);
@@ -86,8 +86,8 @@ TEST_F(LevelsInThePass, AreTheCpusInFloat) {
   const PlaneMaskTable table(SamplePattern::standard(128), {.resolution = 64});
   for (const bool two_sided : {true, false}) {
     OcclusionPass pass = make_pass(levels, table);
-    const DrawOptions options{.radius = 2.5f, .two_sided = two_sided};
-    const auto expected = levels.cpu_masks(g_buffer_->receivers(), table.pattern(), query_options(options));
+    const RayOptions options{.radius = 2.5f, .sidedness = sidedness_of(two_sided)};
+    const auto expected = levels.cpu_masks(g_buffer_->receivers(), table.pattern(), options);
     const std::uint64_t difference_count = count_differences(draw(pass, options), expected);
     EXPECT_LE(static_cast<double>(difference_count), 1e-4 * static_cast<double>(ray_count(table.pattern())));
     RecordProperty(two_sided ? "two_sided" : "one_sided", std::to_string(difference_count));
@@ -99,8 +99,8 @@ TEST_F(LevelsInThePass, AreNearTheCpusByNearestCells) {
   const Levels levels = different_levels();
   const PlaneMaskTable table(SamplePattern::standard(128), {.resolution = 128, .masks = PlaneMasks::nearest});
   OcclusionPass pass = make_pass(levels, table);
-  const DrawOptions options{.radius = 2.5f};
-  const auto expected = levels.cpu_masks(g_buffer_->receivers(), table.pattern(), query_options(options));
+  const RayOptions options{.radius = 2.5f};
+  const auto expected = levels.cpu_masks(g_buffer_->receivers(), table.pattern(), options);
   const std::uint64_t difference_count = count_differences(draw(pass, options), expected);
   EXPECT_LE(static_cast<double>(difference_count), 0.02 * static_cast<double>(ray_count(table.pattern())));
   RecordProperty("differing_rays", std::to_string(difference_count));
@@ -114,7 +114,7 @@ TEST_F(LevelsInThePass, OfTheSameTrianglesAreTheMasksOfNone) {
     const PlaneMaskTable table(SamplePattern::standard(128).with_falloff(falloff), {.resolution = 48});
     const PassSetup setup{.precision = Precision::double_precision};
     OcclusionPass whole = lkao::gl::tests::make_pass(mesh_, table, setup), parts = make_pass(levels, table, setup);
-    const DrawOptions options{.radius = 2.5f};
+    const RayOptions options{.radius = 2.5f};
     EXPECT_EQ(draw(parts, options), draw(whole, options)) << falloff.name();
   }
 }
@@ -128,7 +128,7 @@ TEST_F(LevelsInThePass, AreTheSameForAllShapesAndBackEnds) {
     for (const Accumulator accumulator : {Accumulator::logic_op, Accumulator::ssbo}) {
       OcclusionPass pass = make_pass(levels, table, {.geometry = geometry, .accumulator = accumulator});
       for (const float threshold : {0.0f, 0.2f, kInfinity}) {
-        const auto masks = draw(pass, {.radius = 1.5f, .billboard_threshold = threshold});
+        const auto masks = draw(pass, {.radius = 1.5f}, {.billboard_threshold = threshold});
         if (expected.empty()) expected = masks;
         EXPECT_EQ(masks, expected) << "threshold " << threshold;
       }

@@ -41,9 +41,10 @@ TEST_F(ManyTriangles, HaveTheMasksOfTheFewAmongThem) {
   many.set_occluders(mesh_.positions, spread_out());
   // Prisms and billboards.
   for (const float threshold : {0.0f, 0.4f, 100.0f}) {
-    const DrawOptions options{.radius = 0.8f, .two_sided = threshold > 0, .billboard_threshold = threshold};
-    const auto expected = draw(few, options);
-    EXPECT_EQ(draw(many, options), expected) << "threshold " << threshold;
+    const RayOptions options{.radius = 0.8f, .sidedness = sidedness_of(threshold > 0)};
+    const RasterOptions raster{.billboard_threshold = threshold};
+    const auto expected = draw(few, options, raster);
+    EXPECT_EQ(draw(many, options, raster), expected) << "threshold " << threshold;
     EXPECT_GT(count_bits(expected), 1000u);
   }
   // The positions are one buffer for all.

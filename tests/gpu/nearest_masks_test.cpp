@@ -9,9 +9,9 @@
 
 #include <glm/geometric.hpp>
 
+#include "bvh/ray_triangle.h"
 #include "bvh/table_lookup.h"
 #include "bvh/triangle_culls.h"
-#include "bvh/triangle_test.h"
 #include "gpu/cpu_rays.h"
 #include "gpu/in_furnished_room.h"
 
@@ -62,14 +62,13 @@ class NearestMasks : public InFurnishedRoom<kWidth, kHeight> {
 
   static std::vector<std::uint64_t> look_up_all(const Mesh& mesh, const PlaneMaskTable& table,
                                                 const std::vector<PixelReceiver>& receivers,
-                                                const DrawOptions& options) {
+                                                const RayOptions& options) {
     const query::PatternLanes lanes(table.pattern());
     std::vector<std::uint64_t> masks;
     for (const PixelReceiver& receiver : receivers) {
       OcclusionMask mask;
       if (receiver.is_valid) {
-        mask = look_up_all(mesh, table, rays_of(receiver, lanes, options.radius), options.radius,
-                           options.two_sided ? Sidedness::two_sided : Sidedness::one_sided);
+        mask = look_up_all(mesh, table, rays_of(receiver, lanes, options.radius), options.radius, options.sidedness);
       }
       masks.insert(masks.end(), mask.words, mask.words + table.pattern().word_count());
     }
@@ -83,7 +82,7 @@ TEST_F(NearestMasks, AreTheCpusLookUps) {
     for (const Precision precision : {Precision::single_precision, Precision::double_precision}) {
       OcclusionPass pass = make_pass(mesh_, table, {.precision = precision});
       const bool two_sided = addressing == PlaneAddressing::slices;
-      const DrawOptions options{.radius = 0.8f, .two_sided = two_sided, .seed = 5};
+      const RayOptions options{.radius = 0.8f, .sidedness = sidedness_of(two_sided), .seed = 5};
       const auto masks = draw(pass, options);
       const auto expected = look_up_all(mesh_, table, pass.read_receivers(), options);
       // Where a plane lies on the border of two cells, rounding decides between them.
@@ -99,9 +98,9 @@ TEST_F(NearestMasks, AreTheCpusLookUps) {
 TEST_F(NearestMasks, AreNearTheExactOnes) {
   const PlaneMaskTable table(SamplePattern::standard(128), {.resolution = 128, .masks = PlaneMasks::nearest});
   OcclusionPass pass = make_pass(mesh_, table);
-  const DrawOptions options{.radius = 0.8f};
+  const RayOptions options{.radius = 0.8f};
   const auto masks = draw(pass, options);
-  const auto exact = cpu_masks(mesh_, g_buffer_->receivers(), table.pattern(), query_options(options));
+  const auto exact = cpu_masks(mesh_, g_buffer_->receivers(), table.pattern(), options);
   double error = 0;
   std::size_t same_count = 0;
   for (std::size_t i = 0; i < masks.size(); i += 2) {
@@ -119,7 +118,7 @@ TEST_F(NearestMasks, AreNearTheExactOnes) {
 
   // The CPU's query by the same table also drops nodes by nearest cells: alike, not the same.
   std::vector<std::uint64_t> query_masks(masks.size());
-  AmbientOcclusion(OccluderBvh(mesh_.view()), table, query_options(options))
+  AmbientOcclusion(OccluderBvh(mesh_.view()), table, options)
       .query(g_buffer_->receivers(), {.mask_words = query_masks});
   const auto difference = static_cast<double>(count_differences(masks, query_masks));
   EXPECT_LT(difference / static_cast<double>(masks.size() * 64), 2e-3);

@@ -84,18 +84,22 @@ TEST_F(PassErrors, NameTheOptionOutOfRange) {
   OcclusionPass pass = ready_pass();
   const Camera camera = room_camera(kSize, kSize);
   const float nan = std::numeric_limits<float>::quiet_NaN();
-  const std::pair<const char*, DrawOptions> mistakes[] = {
-      {"radius", {}},
-      {"radius", {.radius = -1.0f}},
-      {"radius", {.radius = nan}},
-      {"radius", {.radius = 1e19f}},
-      {"radius", {.radius = -std::numeric_limits<float>::infinity()}},
-      {"rotation", {.radius = 1.0f, .rotation = 1.5f}},
-      {"tilt", {.radius = 1.0f, .tilt = nan}},
-      {"surface_offset", {.radius = 1.0f, .surface_offset = -1.0f}},
-      {"billboard_threshold", {.radius = 1.0f, .billboard_threshold = nan}}};
-  for (const auto& [name, options] : mistakes) {
-    expect_error<std::invalid_argument>(name, [&, &bad = options] { pass.draw(g_buffer(), camera, bad); });
+  struct Mistake {
+    const char* name;
+    RayOptions options;
+    RasterOptions raster = {};
+  };
+  const Mistake mistakes[] = {{"radius", {}},
+                              {"radius", {.radius = -1.0f}},
+                              {"radius", {.radius = nan}},
+                              {"radius", {.radius = 1e19f}},
+                              {"radius", {.radius = -std::numeric_limits<float>::infinity()}},
+                              {"rotation", {.radius = 1.0f, .jitter = {.rotation = 1.5f}}},
+                              {"tilt", {.radius = 1.0f, .jitter = {.tilt = nan}}},
+                              {"surface_offset", {.radius = 1.0f, .surface_offset = -1.0f}},
+                              {"billboard_threshold", {.radius = 1.0f}, {.billboard_threshold = nan}}};
+  for (const Mistake& bad : mistakes) {
+    expect_error<std::invalid_argument>(bad.name, [&] { pass.draw(g_buffer(), camera, bad.options, bad.raster); });
   }
 }
 

@@ -44,18 +44,8 @@ Camera room_camera(int width, int height) {
           glm::perspective(1.2f, aspect, 0.05f, 50.0f), ClipDepth::minus_one_to_one};
 }
 
-QueryOptions query_options(const DrawOptions& options) {
-  QueryOptions result;
-  result.radius = options.radius;
-  result.sidedness = options.two_sided ? Sidedness::two_sided : Sidedness::one_sided;
-  result.jitter = {options.rotation, options.tilt};
-  result.seed = options.seed;
-  result.surface_offset = options.surface_offset;
-  return result;
-}
-
 std::vector<std::uint64_t> cpu_masks(const Mesh& mesh, const std::vector<Receiver>& receivers,
-                                     const SamplePattern& pattern, const QueryOptions& options) {
+                                     const SamplePattern& pattern, const RayOptions& options) {
   std::vector<std::uint64_t> masks(receivers.size() * static_cast<std::size_t>(pattern.word_count()));
   AmbientOcclusion(OccluderBvh(mesh.view()), pattern, options).query(receivers, {.mask_words = masks});
   return masks;

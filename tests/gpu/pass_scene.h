@@ -16,12 +16,11 @@ namespace lkao::gl::tests {
 Mesh furnished_room();
 Camera room_camera(int width, int height);
 
-// The options of the CPU's query that mean the same.
-QueryOptions query_options(const DrawOptions& options);
+inline Sidedness sidedness_of(bool two_sided) { return two_sided ? Sidedness::two_sided : Sidedness::one_sided; }
 
 // All pixels' masks as the CPU finds them, SamplePattern::word_count() words each.
 std::vector<std::uint64_t> cpu_masks(const Mesh& mesh, const std::vector<Receiver>& receivers,
-                                     const SamplePattern& pattern, const QueryOptions& options);
+                                     const SamplePattern& pattern, const RayOptions& options);
 
 // In how many rays two sets of masks differ.
 std::uint64_t count_differences(const std::vector<std::uint64_t>& a, const std::vector<std::uint64_t>& b);

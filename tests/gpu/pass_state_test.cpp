@@ -202,7 +202,7 @@ TEST_F(PassState, IsPutBackAndDoesNotMatter) {
   const GBufferPass g_buffer(mesh, camera, kWidth, kHeight);
   const PlaneMaskTable table(SamplePattern::standard(192), {.resolution = 32});
   const Texture occlusion = make_image(GL_R32F, kWidth, kHeight), bent = make_image(GL_RGBA16F, kWidth, kHeight);
-  const DrawOptions options{.radius = 1.0f, .tilt = 0.02f};
+  const RayOptions options{.radius = 1.0f, .jitter = {.tilt = 0.02f}};
   const PassSetup setups[] = {
       {.accumulator = Accumulator::logic_op, .count_fragments = true},
       {.geometry = GeometryBackEnd::geometry_shader, .accumulator = Accumulator::ssbo, .count_fragments = true}};

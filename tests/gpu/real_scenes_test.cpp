@@ -73,16 +73,15 @@ std::vector<float> occlusion_of(const std::vector<std::uint64_t>& masks) {
 TEST_P(RealScenes, AreWhatTheQueryAnswers) {
   const PlaneMaskTable exact(SamplePattern::standard(128), {.resolution = 64});
   OcclusionPass pass = make_pass(mesh_, exact);
-  const DrawOptions options{.radius = GetParam().radius, .seed = 3};
+  const RayOptions options{.radius = GetParam().radius, .seed = 3};
   pass.draw(g_buffer_->by_positions(), camera_, options);
   const std::vector<std::uint64_t> masks = pass.read_masks();
   const std::vector<Receiver> receivers = g_buffer_->receivers();
-  const QueryOptions query = query_options(options);
-  const std::vector<std::uint64_t> expected = cpu_masks(mesh_, receivers, exact.pattern(), query);
+  const std::vector<std::uint64_t> expected = cpu_masks(mesh_, receivers, exact.pattern(), options);
   ASSERT_GT(count_bits(expected), masks.size() * 3) << "too little occlusion to tell anything";
   const std::uint64_t difference_count = count_differences(masks, expected);
   ASSERT_LE(difference_count, masks.size() * 64 / 10000);
-  EXPECT_EQ(count_unexplained(mesh_.view(), masks, expected, receivers, exact.pattern(), query), 0u)
+  EXPECT_EQ(count_unexplained(mesh_.view(), masks, expected, receivers, exact.pattern(), options), 0u)
       << "of " << difference_count;
   RecordProperty("differing_rays", std::to_string(difference_count) + " of " + std::to_string(masks.size() * 64));
 
@@ -100,8 +99,9 @@ TEST_P(RealScenes, AreWhatTheQueryAnswers) {
 TEST_P(RealScenes, AreCulledAsInThePaper) {
   const PlaneMaskTable table(SamplePattern::standard(64), {.resolution = 32, .masks = PlaneMasks::nearest});
   OcclusionPass pass = make_pass(mesh_, table, {.count_fragments = true});
-  DrawOptions options{.radius = GetParam().radius, .two_sided = false, .culls = {false, false, false, false, false}};
-  pass.draw(g_buffer_->by_positions(), camera_, options);
+  const RayOptions options{.radius = GetParam().radius, .sidedness = Sidedness::one_sided};
+  RasterOptions raster{.culls = {false, false, false, false, false}};
+  pass.draw(g_buffer_->by_positions(), camera_, options, raster);
   const FragmentCounts all = pass.read_fragment_counts();
   EXPECT_EQ(all.survivors, all.drawn);
   std::uint64_t before = all.survivors;
@@ -109,8 +109,8 @@ TEST_P(RealScenes, AreCulledAsInThePaper) {
   // Table 2: one more each time, and each saves some.
   for (bool Culls::*cull :
        {&Culls::far_depth, &Culls::bounding_sphere, &Culls::facing, &Culls::plane_distance, &Culls::horizon}) {
-    options.culls.*cull = true;
-    pass.draw(g_buffer_->by_positions(), camera_, options);
+    raster.culls.*cull = true;
+    pass.draw(g_buffer_->by_positions(), camera_, options, raster);
     const FragmentCounts counts = pass.read_fragment_counts();
     EXPECT_EQ(counts.drawn, all.drawn);
     EXPECT_LT(counts.survivors, before);

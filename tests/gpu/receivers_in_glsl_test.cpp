@@ -70,13 +70,13 @@ TEST_F(ReceiversInGlsl, HaveTheJitterOfTheQuery) {
   const Mesh mesh = furnished_room();
   const PlaneMaskTable table(SamplePattern::standard(64), {.resolution = 32, .masks = PlaneMasks::nearest});
   OcclusionPass pass = make_pass(mesh, table);
-  for (const DrawOptions& options :
-       {DrawOptions{.radius = 0.1f}, DrawOptions{.radius = 0.1f, .seed = 0xfedcba9876543210u},
-        DrawOptions{.radius = 0.1f, .rotation = 0.125f, .tilt = 0.03f, .seed = 77, .surface_offset = 3.7f},
-        DrawOptions{.radius = 0.1f, .rotation = 0}}) {
+  for (const RayOptions& options :
+       {RayOptions{.radius = 0.1f}, RayOptions{.radius = 0.1f, .seed = 0xfedcba9876543210u},
+        RayOptions{.radius = 0.1f, .jitter = {0.125f, 0.03f}, .seed = 77, .surface_offset = 3.7f},
+        RayOptions{.radius = 0.1f, .jitter = {.rotation = 0}}}) {
     pass.draw(images.g_buffer(), room_camera(kSize, kSize), options);
     const std::vector<PixelReceiver> seen = pass.read_receivers();
-    const AmbientOcclusion ao(OccluderBvh(mesh.view()), table.pattern(), query_options(options));
+    const AmbientOcclusion ao(OccluderBvh(mesh.view()), table.pattern(), options);
     std::size_t other_frame_count = 0, other_origin_count = 0;
     float largest = 0;
     for (std::size_t i = 0; i < seen.size(); ++i) {

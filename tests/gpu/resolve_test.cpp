@@ -21,10 +21,10 @@ constexpr int kHeight = 72;
 class Resolve : public InFurnishedRoom<kWidth, kHeight> {
  protected:
   // The CPU's answers for all pixels; NaN where there is no receiver.
-  void query(const std::vector<Receiver>& receivers, const SamplePattern& pattern, const DrawOptions& options) {
+  void query(const std::vector<Receiver>& receivers, const SamplePattern& pattern, const RayOptions& options) {
     occlusion_.resize(receivers.size());
     bent_normals_.resize(receivers.size());
-    AmbientOcclusion(OccluderBvh(mesh_.view()), pattern, query_options(options))
+    AmbientOcclusion(OccluderBvh(mesh_.view()), pattern, options)
         .query(receivers, {.occlusion = occlusion_, .bent_normals = bent_normals_});
   }
 
@@ -51,7 +51,7 @@ TEST_F(Resolve, GivesTheCpusOcclusionInEveryFormat) {
   for (const int ray_count : {64, 128, 256}) {
     const PlaneMaskTable table(SamplePattern::standard(ray_count), {.resolution = 32});
     OcclusionPass pass = make_pass(mesh_, table);
-    const DrawOptions options{.radius = 1.0f};
+    const RayOptions options{.radius = 1.0f};
     pass.draw(g_buffer_->by_positions(), camera_, options);
     query(g_buffer_->receivers(), table.pattern(), options);
     const float one_ray = 1.0f / static_cast<float>(ray_count);
@@ -67,7 +67,7 @@ TEST_F(Resolve, GivesTheCpusOcclusionInEveryFormat) {
 TEST_F(Resolve, GivesTheCpusBentNormals) {
   const PlaneMaskTable table(SamplePattern::standard(128), {.resolution = 32});
   OcclusionPass pass = make_pass(mesh_, table);
-  const DrawOptions options{.radius = 1.0f};
+  const RayOptions options{.radius = 1.0f};
   pass.draw(g_buffer_->by_positions(), camera_, options);
   query(g_buffer_->receivers(), table.pattern(), options);
   for (const GLenum format : std::initializer_list<GLenum>{GL_RGBA16F, GL_RGBA32F}) {
@@ -100,7 +100,7 @@ TEST_F(Resolve, CountsOnlyTheRaysThatAreCast) {
   textures.normals = normal_image.name();
   const PlaneMaskTable table(SamplePattern::standard(128), {.resolution = 32});
   OcclusionPass pass = make_pass(mesh_, table);
-  const DrawOptions options{.radius = 1.0f};
+  const RayOptions options{.radius = 1.0f};
   pass.draw(textures, camera_, options);
   query(receivers, table.pattern(), options);
   const Texture image = make_image(GL_R32F, kWidth, kHeight);
@@ -136,11 +136,11 @@ TEST_F(Resolve, TakesImagesOfOddSizes) {
   for (const auto& [width, height] : {std::pair{1, 1}, {1023, 767}, {3, 200}, {1, 1}}) {
     const Camera camera = room_camera(width, height);
     const GBufferPass g_buffer(mesh, camera, width, height);
-    const DrawOptions options{.radius = 1.5f};
+    const RayOptions options{.radius = 1.5f};
     pass.draw(g_buffer.by_positions(), camera, options);
     const auto masks = pass.read_masks();
     ASSERT_EQ(masks.size(), static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
-    const auto expected = cpu_masks(mesh, g_buffer.receivers(), table.pattern(), query_options(options));
+    const auto expected = cpu_masks(mesh, g_buffer.receivers(), table.pattern(), options);
     EXPECT_LE(count_differences(masks, expected), masks.size() * 64 / 10000);
     const Texture image = make_image(GL_R32F, width, height);
     pass.resolve({.occlusion = image.name()});

@@ -42,7 +42,7 @@ bool is_close_call(const glm::vec3& corner_a, const glm::vec3& corner_b, const g
 
 std::uint64_t count_unexplained(const TriangleMesh& mesh, const std::vector<std::uint64_t>& a,
                                 const std::vector<std::uint64_t>& b, const std::vector<Receiver>& receivers,
-                                const SamplePattern& pattern, const QueryOptions& options) {
+                                const SamplePattern& pattern, const RayOptions& options) {
   const AmbientOcclusion ao(OccluderBvh(mesh), pattern, options);
   const auto words = static_cast<std::size_t>(pattern.word_count());
   std::uint64_t count = 0;

@@ -23,6 +23,6 @@ bool is_close_call(const glm::vec3& corner_a, const glm::vec3& corner_b, const g
 // those that made the masks.
 std::uint64_t count_unexplained(const TriangleMesh& mesh, const std::vector<std::uint64_t>& a,
                                 const std::vector<std::uint64_t>& b, const std::vector<Receiver>& receivers,
-                                const SamplePattern& pattern, const QueryOptions& options);
+                                const SamplePattern& pattern, const RayOptions& options);
 
 }  // namespace lkao::gl::tests

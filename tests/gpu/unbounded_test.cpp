@@ -23,14 +23,13 @@ class UnboundedPass : public InFurnishedRoom<kWidth, kHeight> {
  protected:
   // In how many rays the pass and the CPU differ on a mesh, as a camera sees it; each within rounding.
   std::uint64_t difference_from_cpu(OcclusionPass& pass, const Mesh& mesh, const Camera& camera,
-                                    const SamplePattern& pattern, const DrawOptions& options) {
+                                    const SamplePattern& pattern, const RayOptions& options) {
     const GBufferPass g_buffer(mesh, camera, kWidth, kHeight);
     pass.draw(g_buffer.by_positions(), camera, options);
     const std::vector<Receiver> receivers = g_buffer.receivers();
-    const QueryOptions query = query_options(options);
-    const std::vector<std::uint64_t> masks = pass.read_masks(), expected = cpu_masks(mesh, receivers, pattern, query);
+    const std::vector<std::uint64_t> masks = pass.read_masks(), expected = cpu_masks(mesh, receivers, pattern, options);
     EXPECT_GT(count_bits(expected), 1000u) << "the scene has too little occlusion to tell anything";
-    EXPECT_EQ(count_unexplained(mesh.view(), masks, expected, receivers, pattern, query), 0u);
+    EXPECT_EQ(count_unexplained(mesh.view(), masks, expected, receivers, pattern, options), 0u);
     const std::uint64_t count = count_differences(masks, expected);
     RecordProperty("differing_rays_" + std::to_string(record_count_++),
                    std::to_string(count) + " of " + std::to_string(masks.size() * 64));
@@ -48,7 +47,10 @@ TEST_F(UnboundedPass, HasTheCpusMasksInFloat) {
   const PlaneMaskTable table(SamplePattern::standard(128), {.resolution = 64});
   OcclusionPass pass = make_pass(mesh_, table);
   for (const bool two_sided : {true, false}) {
-    const DrawOptions options{.radius = kInfinity, .two_sided = two_sided, .tilt = two_sided ? 0.0f : 0.1f, .seed = 3};
+    const RayOptions options{.radius = kInfinity,
+                             .sidedness = sidedness_of(two_sided),
+                             .jitter = {.tilt = two_sided ? 0.0f : 0.1f},
+                             .seed = 3};
     EXPECT_LE(difference_from_cpu(pass, mesh_, camera_, table.pattern(), options), largest_difference(table.pattern()));
   }
 }
@@ -94,7 +96,7 @@ TEST_F(UnboundedPass, IsTheSameForAllShapesAndBackEnds) {
     for (const Accumulator accumulator : {Accumulator::logic_op, Accumulator::ssbo}) {
       OcclusionPass pass = make_pass(mesh_, table, {.geometry = geometry, .accumulator = accumulator});
       for (const float threshold : {0.0f, kInfinity}) {
-        pass.draw(g_buffer.by_positions(), camera_, {.radius = kInfinity, .billboard_threshold = threshold});
+        pass.draw(g_buffer.by_positions(), camera_, {.radius = kInfinity}, {.billboard_threshold = threshold});
         const auto masks = pass.read_masks();
         if (expected.empty()) expected = masks;
         EXPECT_EQ(masks, expected) << "threshold " << threshold;
@@ -106,8 +108,8 @@ TEST_F(UnboundedPass, IsTheSameForAllShapesAndBackEnds) {
 TEST_F(UnboundedPass, NearestMasksAreNearTheExactOnes) {
   const PlaneMaskTable table(SamplePattern::standard(128), {.resolution = 128, .masks = PlaneMasks::nearest});
   OcclusionPass pass = make_pass(mesh_, table);
-  const DrawOptions options{.radius = kInfinity};
-  const auto expected = cpu_masks(mesh_, g_buffer_->receivers(), table.pattern(), query_options(options));
+  const RayOptions options{.radius = kInfinity};
+  const auto expected = cpu_masks(mesh_, g_buffer_->receivers(), table.pattern(), options);
   const std::uint64_t difference_count = count_differences(draw(pass, options), expected);
   EXPECT_LE(static_cast<double>(difference_count), 0.02 * kWidth * kHeight * 128);
   RecordProperty("differing_rays", std::to_string(difference_count));
@@ -132,10 +134,9 @@ TEST_F(UnboundedPass, KeepsRangesOfLevels) {
   OcclusionPass pass({.precision = Precision::double_precision});
   pass.set_occluders(all.positions, all.triangles, triangle_ranges);
   pass.set_table(table);
-  const DrawOptions options{.radius = kInfinity};
+  const RayOptions options{.radius = kInfinity};
   std::vector<std::uint64_t> expected(std::size_t{kWidth} * kHeight);
-  AmbientOcclusion(levels, table.pattern(), query_options(options))
-      .query(g_buffer_->receivers(), {.mask_words = expected});
+  AmbientOcclusion(levels, table.pattern(), options).query(g_buffer_->receivers(), {.mask_words = expected});
   EXPECT_LE(count_differences(draw(pass, options), expected), 2u);
 }
 

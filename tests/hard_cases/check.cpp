@@ -64,11 +64,10 @@ class Check {
 
  private:
   void expect_equal_kernels(const ReceiverGroup& group) const {
-    QueryOptions options = group.options;
+    const RayOptions& options = group.options;
     const AmbientOcclusion simd(occluders_, case_.pattern, options);
     const AmbientOcclusion looked_up(occluders_, table_, options);
-    options.kernel = Kernel::scalar;
-    const AmbientOcclusion scalar(occluders_, case_.pattern, options);
+    const AmbientOcclusion scalar(occluders_, case_.pattern, options, Kernel::scalar);
     std::vector<OcclusionMask> expected;
     for (std::size_t k = 0; k < group.receivers.size(); ++k) {
       expected.push_back(scalar.query(group.receivers[k], k).mask);

@@ -14,7 +14,7 @@ namespace lkao::tests {
 
 // Receivers that share the options of a query; their indices are their places.
 struct ReceiverGroup {
-  QueryOptions options;
+  RayOptions options;
   std::vector<Receiver> receivers = {};
 };
 

@@ -12,8 +12,8 @@ constexpr float kWidth = 1e-7f;
 // Where all coordinates are this small or simple, floats hold every position, and all distances are far above the
 // rounding of double precision.
 OcclusionMask query(const Mesh& mesh, const glm::vec3& position, const glm::vec3& normal, Kernel kernel) {
-  const QueryOptions options{.radius = 1, .surface_offset = 0, .kernel = kernel};
-  const AmbientOcclusion ao(OccluderBvh(mesh.view()), SamplePattern::standard(64), options);
+  const RayOptions options{.radius = 1, .surface_offset = 0};
+  const AmbientOcclusion ao(OccluderBvh(mesh.view()), SamplePattern::standard(64), options, kernel);
   return ao.query({.position = position, .normal = normal}, 0).mask;
 }
 

@@ -18,7 +18,7 @@ class BoxCulls : public testing::TestWithParam<int> {
  protected:
   SamplePattern pattern() const { return SamplePattern::standard(GetParam()); }
   // At least so many of the 64 rays aimed at the needles must be blocked, or nothing was tested.
-  void expect_found(const Mesh& mesh, const SamplePattern& pattern, const QueryOptions& options, const Pin& pin,
+  void expect_found(const Mesh& mesh, const SamplePattern& pattern, const RayOptions& options, const Pin& pin,
                     std::uint64_t least) {
     const std::vector<Receiver> receivers = pinned_receivers(pattern, options, pin, random_);
     EXPECT_GE(expect_same_bits(mesh, pattern, options, receivers), least);
@@ -51,7 +51,7 @@ TEST_P(BoxCulls, KeepNeedlesAnywhereOnRays) {
   for (const float share : {0.5f, 0x1p-4f, 0x1p-12f}) {
     for (const Touch touch : kAllTouches) {
       for (const float size : {1e-4f, 1e-7f, 1e-10f}) {
-        const QueryOptions options{.radius = 1, .surface_offset = 0};
+        const RayOptions options{.radius = 1, .surface_offset = 0};
         expect_found(needles(share * size, touch), pattern(), options, {.share = share}, 20);
       }
     }
@@ -63,7 +63,7 @@ TEST_P(BoxCulls, KeepNeedlesAnywhereOnRays) {
 TEST_P(BoxCulls, KeepNeedlesOnUnevenRaysOfTurnedPatterns) {
   const SamplePattern uneven = pattern().with_falloff(Falloff::linear());
   for (const Sidedness sidedness : {Sidedness::two_sided, Sidedness::one_sided}) {
-    const QueryOptions options{.radius = 3, .sidedness = sidedness, .jitter = {.tilt = 0.2f}, .surface_offset = 0};
+    const RayOptions options{.radius = 3, .sidedness = sidedness, .jitter = {.tilt = 0.2f}, .surface_offset = 0};
     for (const float share : {1.0f, 0.5f}) {
       expect_found(needles(1e-8f, Touch::inside, 50), uneven, options, {.share = share}, 20);
     }
@@ -85,7 +85,7 @@ TEST_P(BoxCulls, KeepNeedlesAtTheHorizon) {
 // Rays with components that are exactly 0 run within the planes of box faces.
 TEST(BoxCullsOfAxes, KeepWhatARayTouchesInThePlaneOfAFace) {
   const SamplePattern cross = cross_pattern();
-  const QueryOptions options{.radius = 2, .jitter = {.rotation = 0}, .surface_offset = 0};
+  const RayOptions options{.radius = 2, .jitter = {.rotation = 0}, .surface_offset = 0};
   lut::RandomStream random(2);
   for (int repetition = 0; repetition < 10; ++repetition) {
     for (const Touch touch : kAllTouches) {
@@ -109,7 +109,7 @@ TEST(BoxCullsOfBatches, MeasureFromTheOriginsOfRays) {
   for (const float surface_offset : {16.0f, 1000.0f}) {
     // Moves origins by 0.5.
     const glm::vec3 place = random_direction(random) * 0.5f * 0x1p24f / surface_offset;
-    const QueryOptions options{.radius = 0.25f, .surface_offset = surface_offset};
+    const RayOptions options{.radius = 0.25f, .surface_offset = surface_offset};
     for (int repetition = 0; repetition < 50; ++repetition) {
       Receiver receiver{.position = place + random_point(random, 1), .normal = random_direction(random)};
       const AmbientOcclusion nothing(OccluderBvh(TriangleMesh{}), pattern, options);

@@ -85,7 +85,7 @@ TEST_P(Crowds, OfSmallTrianglesAmongLargeOnesAreAnsweredForEveryRay) {
     for (const Sidedness sidedness : {Sidedness::two_sided, Sidedness::one_sided}) {
       std::vector<Receiver> asked = receivers(GetParam() < 1024 ? 10 : 3, 1);
       for (Receiver& receiver : asked) receiver.excluded_primitive = 2000;
-      const QueryOptions options{.radius = radius, .sidedness = sidedness};
+      const RayOptions options{.radius = radius, .sidedness = sidedness};
       blocked_count += expect_same_bits(mesh, pattern(), options, asked);
       expect_scalar_bits({{{occluders, 0, 0.3f * radius}, {occluders, 0.5f * radius}}, pattern(), options, asked});
     }
@@ -105,7 +105,7 @@ TEST_P(Crowds, InAClosedSurfaceLetNoRayOut) {
   for (const float radius : {2.1f, 50.0f, 1e5f, std::numeric_limits<float>::infinity()}) {
     std::vector<Receiver> inside = receivers(6, 0.5f);
     for (int i = 0; i < 6; ++i) inside.push_back({.position = 0.98f * random_direction(random_), .normal = {0, 1, 0}});
-    const QueryOptions options{.radius = radius, .surface_offset = 0};
+    const RayOptions options{.radius = radius, .surface_offset = 0};
     EXPECT_EQ(expect_same_bits(mesh, pattern(), options, inside),
               inside.size() * static_cast<std::uint64_t>(GetParam()));
   }

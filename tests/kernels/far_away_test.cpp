@@ -56,9 +56,9 @@ TEST_P(FarAway, ReceiversSeeTheSceneThroughABeam) {
     const SamplePattern pattern = beam(GetParam(), 1.0f / distance);
     for (const float beyond : {-0.5f, 0.2f, 2.0f, 1e3f * distance, kInfinity}) {
       for (const float surface_offset : {0.0f, 16.0f}) {
-        const QueryOptions options{.radius = distance + beyond,
-                                   .sidedness = beyond > 2 ? Sidedness::one_sided : Sidedness::two_sided,
-                                   .surface_offset = surface_offset};
+        const RayOptions options{.radius = distance + beyond,
+                                 .sidedness = beyond > 2 ? Sidedness::one_sided : Sidedness::two_sided,
+                                 .surface_offset = surface_offset};
         EXPECT_GT(expect_same_bits(mesh, pattern, options, receivers_at(distance)), 0u) << distance;
       }
     }
@@ -69,7 +69,7 @@ TEST_P(FarAway, ReceiversSeeTheSceneWithFewRays) {
   const Mesh mesh = mixed_scene(43);
   for (const float distance : {2.0f, 10.0f, 1e3f, 1e6f}) {
     for (const float beyond : {0.3f, 10 * distance, kInfinity}) {
-      const QueryOptions options{.radius = distance + beyond};
+      const RayOptions options{.radius = distance + beyond};
       expect_same_bits(mesh, SamplePattern::standard(GetParam()), options, receivers_at(distance));
     }
   }
@@ -79,7 +79,7 @@ TEST_P(FarAway, ReceiversSeeLevels) {
   const OccluderBvh occluders(mixed_scene(44).view());
   for (const float distance : {2.0f, 10.0f, 1e3f}) {
     const SamplePattern pattern = beam(GetParam(), 1.0f / distance);
-    const QueryOptions options{.radius = distance + 2};
+    const RayOptions options{.radius = distance + 2};
     const std::vector<Receiver> receivers = receivers_at(distance);
     EXPECT_GT(expect_scalar_bits({{{occluders, 0, distance}}, pattern, options, receivers}), 0u);
     EXPECT_GT(expect_scalar_bits({{{occluders, distance}}, pattern, options, receivers}), 0u);
@@ -94,7 +94,7 @@ TEST_P(FarAway, ReceiversFindNeedles) {
     Mesh mesh;
     add_needles(mesh, glm::vec3(0), 1e-9f * radius, Touch::inside, random_);
     add_decoys(mesh, 50, 1e-7f * radius, 1e-6f * radius, random_);
-    const QueryOptions options{.radius = radius, .surface_offset = 0};
+    const RayOptions options{.radius = radius, .surface_offset = 0};
     const std::vector<Receiver> receivers = pinned_receivers(pattern, options, {.share = 0.5f}, random_);
     EXPECT_GE(expect_same_bits(mesh, pattern, options, receivers), 55u);
   }
@@ -117,7 +117,7 @@ TEST_P(FarAway, EndsOfRaysChangeNothing) {
   std::uint64_t blocked_count = 0;
   for (const float radius : {2.0f, 100.0f, 1e6f, 1e12f, kInfinity}) {
     for (const Sidedness sidedness : {Sidedness::two_sided, Sidedness::one_sided}) {
-      const QueryOptions options{.radius = radius * diagonal, .sidedness = sidedness};
+      const RayOptions options{.radius = radius * diagonal, .sidedness = sidedness};
       blocked_count += expect_same_bits(mesh, pattern, options, receivers);
       // Shares of such rays are tiny.
       const OccluderBvh occluders(mesh.view());
@@ -132,7 +132,7 @@ TEST_P(FarAway, EndsOfRaysChangeNothing) {
 TEST_P(FarAway, EndsOfRaysBehindNeedlesChangeNothing) {
   const SamplePattern& pattern = SamplePattern::standard(GetParam());
   for (const float radius : {10.0f, 1e3f, 1e6f}) {
-    const QueryOptions options{.radius = radius, .surface_offset = 0};
+    const RayOptions options{.radius = radius, .surface_offset = 0};
     const AmbientOcclusion nothing(OccluderBvh(TriangleMesh{}), pattern, options);
     const Receiver receiver{.position = random_point(random_, 1), .normal = random_direction(random_)};
     const ReceiverRays rays = nothing.rays(receiver, 0);

@@ -44,7 +44,7 @@ void add_decoys(Mesh& mesh, int count, float gap, float reach, lut::RandomStream
   }
 }
 
-std::vector<Receiver> pinned_receivers(const SamplePattern& pattern, const QueryOptions& options, const Pin& pin,
+std::vector<Receiver> pinned_receivers(const SamplePattern& pattern, const RayOptions& options, const Pin& pin,
                                        lut::RandomStream& random) {
   const AmbientOcclusion nothing(OccluderBvh(TriangleMesh{}), pattern, options);
   std::vector<Receiver> receivers;

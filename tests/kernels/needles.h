@@ -35,7 +35,7 @@ struct Pin {
   bool along_axes = false;
   double elevation = 0;
 };
-std::vector<Receiver> pinned_receivers(const SamplePattern& pattern, const QueryOptions& options, const Pin& pin,
+std::vector<Receiver> pinned_receivers(const SamplePattern& pattern, const RayOptions& options, const Pin& pin,
                                        lut::RandomStream& random);
 
 glm::vec3 random_axis(lut::RandomStream& random);

@@ -50,7 +50,7 @@ INSTANTIATE_TEST_SUITE_P(Rays, Needles, testing::Values(64, 128, 192, 256, 960),
 TEST_P(Needles, OnEveryRayAreFound) {
   for (const Shares& shares : {Shares{1e-3f, 1}, {0.9f, 1}, {0.05f, 0.06f}}) {
     for (const Sidedness sidedness : {Sidedness::two_sided, Sidedness::one_sided}) {
-      const QueryOptions options{.radius = 2.5f, .sidedness = sidedness};
+      const RayOptions options{.radius = 2.5f, .sidedness = sidedness};
       const AmbientOcclusion nothing(OccluderBvh(TriangleMesh{}), pattern(), options);
       for (const float away : {0.0f, 20.0f}) {
         const Receiver receiver{.position = away * random_direction(random_), .normal = random_direction(random_)};
@@ -69,7 +69,7 @@ TEST_P(Needles, OnEveryRayAreFound) {
 TEST_P(Needles, OnFewRaysAreFound) {
   const SamplePattern uneven = pattern().with_falloff(Falloff::linear());
   for (int repetition = 0; repetition < 40; ++repetition) {
-    const QueryOptions options{.radius = std::exp2(uniform(random_, -6, 6)), .jitter = {.tilt = 0.1f}};
+    const RayOptions options{.radius = std::exp2(uniform(random_, -6, 6)), .jitter = {.tilt = 0.1f}};
     const SamplePattern& asked = repetition % 2 == 0 ? uneven : pattern();
     const AmbientOcclusion nothing(OccluderBvh(TriangleMesh{}), asked, options);
     const Receiver receiver{.position = random_point(random_, 3), .normal = random_direction(random_)};
@@ -81,7 +81,7 @@ TEST_P(Needles, OnFewRaysAreFound) {
 
 // Each receiver has the rays of the first, and leaves out the needle on one of them.
 TEST_P(Needles, ThatAreExcludedAreNot) {
-  const QueryOptions options{.radius = 1, .jitter = {.rotation = 0}};
+  const RayOptions options{.radius = 1, .jitter = {.rotation = 0}};
   const AmbientOcclusion nothing(OccluderBvh(TriangleMesh{}), pattern(), options);
   const Receiver receiver{.normal = random_direction(random_)};
   Mesh mesh = needles_on_rays(nothing, receiver, {0.1f, 1}, 1, 1e-2f);

@@ -70,8 +70,8 @@ TEST_P(Neighbours, InOtherRoomsChangeNothing) {
   const OccluderBvh occluders(rooms(2, 72).view());
   for (const float radius : {0.8f, 4.0f, kInfinity}) {
     for (const int run_length : {1, 17}) {
-      const QueryOptions options{.radius = radius,
-                                 .sidedness = run_length == 1 ? Sidedness::two_sided : Sidedness::one_sided};
+      const RayOptions options{.radius = radius,
+                               .sidedness = run_length == 1 ? Sidedness::two_sided : Sidedness::one_sided};
       EXPECT_GT(expect_scalar_bits({{{occluders}}, pattern(), options, receivers(receiver_count(), run_length)}), 0u);
     }
   }

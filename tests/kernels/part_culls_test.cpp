@@ -21,7 +21,7 @@ class PartCulls : public testing::TestWithParam<int> {
   SamplePattern pattern() const { return SamplePattern::standard(GetParam()); }
   // 64 rays at needles at the distance `radius` / 2 from receivers, of which the distances in the range count.
   std::uint64_t ask(float radius, float r_min, float r_max, float size, int decoy_count) {
-    const QueryOptions options{.radius = radius, .surface_offset = 0};
+    const RayOptions options{.radius = radius, .surface_offset = 0};
     Mesh mesh;
     add_needles(mesh, glm::vec3(0), radius * size, Touch::inside, random_);
     add_decoys(mesh, decoy_count, 0.05f * radius, 2 * radius, random_);
@@ -63,7 +63,7 @@ TEST_P(PartCulls, KeepNeedlesWhereTheyEnd) {
 // A needle on every ray, at any share: shells of all distances, each a level of the same occluders.
 TEST_P(PartCulls, LeaveNoGapBetweenLevels) {
   const SamplePattern uneven = pattern().with_falloff(Falloff::linear());
-  const QueryOptions options{.radius = 2, .surface_offset = 0};
+  const RayOptions options{.radius = 2, .surface_offset = 0};
   const AmbientOcclusion nothing(OccluderBvh(TriangleMesh{}), uneven, options);
   for (int repetition = 0; repetition < 3; ++repetition) {
     std::vector<Receiver> receivers{{.position = random_point(random_, 1), .normal = random_direction(random_)}};

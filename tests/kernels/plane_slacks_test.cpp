@@ -63,7 +63,7 @@ class PlaneSlacks : public testing::Test {
   // The rays against the triangles. Counts what was asked and what was blocked.
   void ask(const std::vector<PatternRay>& rays, const std::vector<LocalTriangle>& triangles, const Place& place = {},
            Sidedness sidedness = Sidedness::two_sided) {
-    const QueryOptions options{
+    const RayOptions options{
         .radius = place.radius, .sidedness = sidedness, .jitter = {.rotation = 0}, .surface_offset = 0};
     // An axis keeps the rays as the pattern has them.
     const bool along_axis = random_.next_below(2) == 0;
@@ -151,7 +151,7 @@ TEST_F(PlaneSlacks, OfRaysThatEndInAPlaneAnywhere) {
 TEST_F(PlaneSlacks, OfRaysThatEndInPlanesOfTheirOwn) {
   for (const float size : {3e-2f, 1e-3f, 1e-5f}) {
     for (const float away : {0.0f, 10.0f}) {
-      const QueryOptions options{.radius = 1, .jitter = {.rotation = 0}, .surface_offset = 0};
+      const RayOptions options{.radius = 1, .jitter = {.rotation = 0}, .surface_offset = 0};
       const SamplePattern& pattern = SamplePattern::standard(1024);
       const AmbientOcclusion nothing(OccluderBvh(TriangleMesh{}), pattern, options);
       const Receiver receiver{.position = random_direction(random_) * away, .normal = random_direction(random_)};
@@ -180,7 +180,7 @@ TEST_F(PlaneSlacks, OfPartsThatBeginOrEndInAPlane) {
         if (hit.z > kLowest * distance) rays.push_back(share(random_, 1, 1 / distance) * hit);
       }
       const float limit = static_cast<float>(distance) * 2;
-      const QueryOptions options{.radius = 2, .jitter = {.rotation = 0}, .surface_offset = 0};
+      const RayOptions options{.radius = 2, .jitter = {.rotation = 0}, .surface_offset = 0};
       const Receiver receiver{.normal = random_direction(random_)};
       for (const auto& some : {rays, thinned(rays)}) {
         const SamplePattern pattern = pattern_of(some);
@@ -229,7 +229,7 @@ TEST_F(PlaneSlacks, AskNoExcludedTriangle) {
     const double height = 0.3;
     const std::vector<PatternRay> all = rays_ending_in_plane(normal, height, 0);
     for (const auto& rays : {all, thinned(all)}) {
-      const QueryOptions options{.radius = 1, .jitter = {.rotation = 0}, .surface_offset = 0};
+      const RayOptions options{.radius = 1, .jitter = {.rotation = 0}, .surface_offset = 0};
       const SamplePattern pattern = pattern_of(rays);
       const AmbientOcclusion nothing(OccluderBvh(TriangleMesh{}), pattern, options);
       const Receiver receiver{.normal = random_direction(random_), .excluded_primitive = 1};
@@ -264,7 +264,7 @@ TEST_F(PlaneSlacks, OfReceiversNextToAPlane) {
                              .normal = i % 3 == 0 ? random_direction(random_) : (i % 2 == 0 ? -normal : normal)});
       }
       for (const Sidedness sidedness : {Sidedness::two_sided, Sidedness::one_sided}) {
-        const QueryOptions options{.radius = 0.5f * size, .sidedness = sidedness, .surface_offset = 0};
+        const RayOptions options{.radius = 0.5f * size, .sidedness = sidedness, .surface_offset = 0};
         blocked_count_ += expect_same_bits(mesh, SamplePattern::standard(64), options, receivers);
         ray_count_ += 64 * receivers.size();
       }

@@ -62,9 +62,7 @@ struct ForcedIsa {
 };
 
 AmbientOcclusion make_query(const Question& question, Kernel kernel) {
-  QueryOptions options = question.options;
-  options.kernel = kernel;
-  return {question.levels, question.pattern, options};
+  return {question.levels, question.pattern, question.options, kernel};
 }
 
 void expect_equal(const Question& question, const Masks& expected) {
@@ -94,7 +92,7 @@ std::uint64_t expect_scalar_bits(const Question& question) {
   return count(expected);
 }
 
-std::uint64_t expect_same_bits(const Mesh& mesh, const SamplePattern& pattern, const QueryOptions& options,
+std::uint64_t expect_same_bits(const Mesh& mesh, const SamplePattern& pattern, const RayOptions& options,
                                const std::vector<Receiver>& receivers, const BuildOptions& build) {
   const Question question{{{OccluderBvh(mesh.view(), build)}}, pattern, options, receivers};
   const AmbientOcclusion scalar = make_query(question, Kernel::scalar);

@@ -12,7 +12,7 @@ namespace lkao::tests {
 struct Question {
   std::vector<OccluderLevel> levels;
   SamplePattern pattern;
-  QueryOptions options;
+  RayOptions options;
   std::vector<Receiver> receivers;  // receiver k has index k
 };
 
@@ -22,7 +22,7 @@ struct Question {
 std::uint64_t expect_scalar_bits(const Question& question);
 
 // The same for whole rays, and the scalar kernel itself against every triangle tried.
-std::uint64_t expect_same_bits(const Mesh& mesh, const SamplePattern& pattern, const QueryOptions& options,
+std::uint64_t expect_same_bits(const Mesh& mesh, const SamplePattern& pattern, const RayOptions& options,
                                const std::vector<Receiver>& receivers, const BuildOptions& build = {});
 
 }  // namespace lkao::tests

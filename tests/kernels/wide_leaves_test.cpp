@@ -57,7 +57,7 @@ TEST_P(WideLeaves, KeepRaysAtEdges) {
   for (const SamplePattern& pattern : patterns()) {
     for (int repetition = 0; repetition < 60; ++repetition) {
       const Receiver asked = receiver();
-      const QueryOptions options{.radius = 1.5f, .surface_offset = 0};
+      const RayOptions options{.radius = 1.5f, .surface_offset = 0};
       const ReceiverRays rays = AmbientOcclusion(OccluderBvh(TriangleMesh{}), pattern, options).rays(asked, 0);
       Mesh mesh;
       for (int i = 0; i < 1 + repetition % 4; ++i) {
@@ -87,7 +87,7 @@ TEST_P(WideLeaves, KeepRaysThatJustReachAPlane) {
       constexpr float kCut = 0.625f;  // a level's end, as a share of the radius
       const bool is_cut = repetition % 4 == 3;
       const Receiver asked = receiver();
-      const QueryOptions options{.radius = 1.5f, .surface_offset = 0};
+      const RayOptions options{.radius = 1.5f, .surface_offset = 0};
       const ReceiverRays rays = AmbientOcclusion(OccluderBvh(TriangleMesh{}), pattern, options).rays(asked, 0);
       const auto counted = [&](int i) {
         const glm::dvec3 ray(rays.ray(i));

@@ -13,7 +13,7 @@ namespace {
 using tests::Mesh;
 
 // Mean over many jittered receivers at one place: what is left is bias, not noise.
-double mean_occlusion(const Mesh& mesh, const Receiver& receiver, const QueryOptions& options, int ray_count = 128,
+double mean_occlusion(const Mesh& mesh, const Receiver& receiver, const RayOptions& options, int ray_count = 128,
                       const Falloff& falloff = Falloff::constant()) {
   const AmbientOcclusion ao(OccluderBvh(mesh.view()), SamplePattern::standard(ray_count).with_falloff(falloff),
                             options);
@@ -106,7 +106,7 @@ TEST(Analytic, OneSidedOccludersBlockFromTheirFrontOnly) {
   Mesh ceiling;
   tests::add_quad(ceiling, {-1000, 1, -1000}, {2000, 0, 0}, {0, 0, 2000});  // front downwards
   const Receiver below = kOrigin, above{.position = {0, 2, 0}, .normal = {0, -1, 0}};
-  const QueryOptions one_sided{.radius = 1e6f, .sidedness = Sidedness::one_sided}, two_sided{.radius = 1e6f};
+  const RayOptions one_sided{.radius = 1e6f, .sidedness = Sidedness::one_sided}, two_sided{.radius = 1e6f};
   EXPECT_GT(mean_occlusion(ceiling, below, one_sided), 0.99);
   EXPECT_EQ(mean_occlusion(ceiling, above, one_sided), 0.0);
   EXPECT_GT(mean_occlusion(ceiling, above, two_sided), 0.99);

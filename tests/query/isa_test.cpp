@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <stdexcept>
 #include <vector>
 
 #include <gtest/gtest.h>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <hwy/targets.h>
 
 #include "lkao/lkao.h"
 #include "support/meshes.h"
@@ -37,6 +39,13 @@ TEST(IsaNames, ForcedOneIsActive) {
   EXPECT_THROW(force_isa("mmx"), std::invalid_argument);
 }
 
+TEST(IsaNames, ForcingOneLeavesOtherUsersOfHighwayAlone) {
+  const std::int64_t before = hwy::SupportedTargets();
+  force_isa(available_isas().back());
+  EXPECT_EQ(hwy::SupportedTargets(), before);
+  force_isa("");
+}
+
 struct Options {
   float radius;
   Sidedness sidedness;
@@ -46,10 +55,9 @@ struct Options {
 void expect_scalar_bits(const tests::Mesh& mesh, const std::vector<Receiver>& receivers, const Options& options) {
   const OccluderBvh occluders(mesh.view());
   const SamplePattern pattern = SamplePattern::standard(options.ray_count).with_falloff(Falloff::linear());
-  QueryOptions query{.radius = options.radius, .sidedness = options.sidedness};
+  const RayOptions query{.radius = options.radius, .sidedness = options.sidedness};
   const AmbientOcclusion simd(occluders, pattern, query);
-  query.kernel = Kernel::scalar;
-  const AmbientOcclusion scalar(occluders, pattern, query);
+  const AmbientOcclusion scalar(occluders, pattern, query, Kernel::scalar);
   for (std::size_t i = 0; i < receivers.size(); ++i) {
     ASSERT_EQ(simd.query(receivers[i], i).mask, scalar.query(receivers[i], i).mask) << "receiver " << i;
   }

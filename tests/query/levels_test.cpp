@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "bvh/ray_parts.h"
-#include "bvh/triangle_test.h"
+#include "bvh/ray_triangle.h"
 #include "lkao/lkao.h"
 #include "support/meshes.h"
 #include "support/receivers.h"
@@ -39,8 +39,8 @@ class Levels : public testing::TestWithParam<KernelChoice> {
   void SetUp() override { force_isa(GetParam().isa); }
   void TearDown() override { force_isa(""); }
 
-  QueryOptions options(float radius, Sidedness sidedness = Sidedness::two_sided) const {
-    return {.radius = radius, .sidedness = sidedness, .kernel = GetParam().kernel};
+  RayOptions options(float radius, Sidedness sidedness = Sidedness::two_sided) const {
+    return {.radius = radius, .sidedness = sidedness};
   }
 };
 
@@ -60,7 +60,8 @@ TEST_P(Levels, OfTheSameOccludersGiveTheBitsOfNone) {
       for (const Falloff& falloff : {Falloff::constant(), Falloff::linear()}) {
         const SamplePattern pattern = SamplePattern::standard(ray_count).with_falloff(falloff);
         for (const float radius : {0.05f, 0.3f, 0.8f, 5.0f}) {
-          const AmbientOcclusion whole(occluders, pattern, options(radius)), parts(levels, pattern, options(radius));
+          const AmbientOcclusion whole(occluders, pattern, options(radius), GetParam().kernel),
+              parts(levels, pattern, options(radius), GetParam().kernel);
           for (std::size_t i = 0; i < receivers.size(); ++i) {
             ASSERT_EQ(parts.query(receivers[i], i).mask, whole.query(receivers[i], i).mask)
                 << ray_count << " rays, " << falloff.name() << ", radius " << radius << ", receiver " << i;
@@ -73,7 +74,7 @@ TEST_P(Levels, OfTheSameOccludersGiveTheBitsOfNone) {
 
 // The part of a ray in each range, against every triangle of that range's own occluders.
 OcclusionMask brute_force(const std::vector<tests::Mesh>& meshes, const SamplePattern& pattern,
-                          const ReceiverRays& rays, const QueryOptions& options, std::uint32_t excluded_primitive) {
+                          const ReceiverRays& rays, const RayOptions& options, std::uint32_t excluded_primitive) {
   OcclusionMask blocked;
   for (std::size_t level = 0; level < meshes.size(); ++level) {
     const auto parts =
@@ -107,7 +108,7 @@ TEST_P(Levels, AreTheBruteForceOverEachRange) {
     for (const Falloff& falloff : {Falloff::constant(), Falloff::linear()}) {
       const SamplePattern pattern = SamplePattern::standard(256).with_falloff(falloff);
       for (const float radius : {0.2f, 2.5f}) {
-        const AmbientOcclusion ao(levels, pattern, options(radius, sidedness));
+        const AmbientOcclusion ao(levels, pattern, options(radius, sidedness), GetParam().kernel);
         std::vector<std::uint64_t> batch(receivers.size() * 4);
         ao.query(receivers, {.mask_words = batch});
         for (std::size_t i = 0; i < receivers.size(); ++i) {
@@ -128,7 +129,8 @@ TEST_P(Levels, OfACeilingBlockWhatIsKnown) {
   const OccluderBvh ceiling(mesh.view());
   const auto within = [](float r) { return r > 1 ? 1 - 1 / (r * r) : 0.0f; };
   for (const Range& range : {Range{0, 1.5f}, {1.5f, 2}, {1.2f, 50}, {0.2f, 0.9f}, {2.5f, kInfinity}}) {
-    const AmbientOcclusion ao({{ceiling, range.r_min, range.r_max}}, SamplePattern::standard(1024), options(3));
+    const AmbientOcclusion ao({{ceiling, range.r_min, range.r_max}}, SamplePattern::standard(1024), options(3),
+                              GetParam().kernel);
     const float expected = within(std::min(range.r_max, 3.0f)) - within(range.r_min);
     EXPECT_NEAR(ao.query({.normal = {0, 0, 1}}, 0).occlusion, expected, 0.004f) << range.r_min << " " << range.r_max;
   }

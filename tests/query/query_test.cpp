@@ -19,11 +19,11 @@ namespace {
 
 constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
 
-AmbientOcclusion query_of(const tests::Mesh& mesh, const QueryOptions& options, int ray_count = 128) {
+AmbientOcclusion query_of(const tests::Mesh& mesh, const RayOptions& options, int ray_count = 128) {
   return {OccluderBvh(mesh.view()), SamplePattern::standard(ray_count), options};
 }
 
-std::string error_of(const QueryOptions& options) {
+std::string error_of(const RayOptions& options) {
   try {
     query_of(tests::closed_box(), options);
   } catch (const std::invalid_argument& error) {

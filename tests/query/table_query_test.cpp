@@ -32,8 +32,8 @@ TEST_P(TableQuery, MustMayEqualsTheScalarKernel) {
     const SamplePattern pattern = SamplePattern::standard(128).with_falloff(falloff);
     const PlaneMaskTable table(pattern, {.resolution = 32, .addressing = addressing, .masks = PlaneMasks::must_may});
     for (float radius : {0.05f, 0.5f, 5.0f}) {
-      const QueryOptions options{.radius = radius, .sidedness = sidedness, .node_masks = node_masks};
-      const AmbientOcclusion exact(occluders, pattern, options), by_table(occluders, table, options);
+      const RayOptions options{.radius = radius, .sidedness = sidedness};
+      const AmbientOcclusion exact(occluders, pattern, options), by_table(occluders, table, options, node_masks);
       for (std::size_t i = 0; i < receivers.size(); ++i) {
         ASSERT_EQ(by_table.query(receivers[i], i).mask, exact.query(receivers[i], i).mask)
             << falloff.name() << ", radius " << radius << ", receiver " << i;
@@ -50,8 +50,9 @@ TEST_P(TableQuery, NearestIsClose) {
   const OccluderBvh occluders(mesh.view());
   const PlaneMaskTable table(SamplePattern::standard(128),
                              {.resolution = 128, .addressing = addressing, .masks = PlaneMasks::nearest});
-  const QueryOptions options{.radius = 0.5f, .sidedness = sidedness, .node_masks = node_masks};
-  const AmbientOcclusion exact(occluders, SamplePattern::standard(128), options), by_table(occluders, table, options);
+  const RayOptions options{.radius = 0.5f, .sidedness = sidedness};
+  const AmbientOcclusion exact(occluders, SamplePattern::standard(128), options),
+      by_table(occluders, table, options, node_masks);
   const std::vector<Receiver> receivers = tests::random_receivers(300, 1, 94);
   double error = 0, signed_error = 0;
   for (std::size_t i = 0; i < receivers.size(); ++i) {

@@ -34,7 +34,7 @@ class Unbounded : public testing::TestWithParam<KernelChoice> {
   void SetUp() override { force_isa(GetParam().isa); }
   void TearDown() override { force_isa(""); }
 
-  QueryOptions options(float radius = kInfinity) const { return {.radius = radius, .kernel = GetParam().kernel}; }
+  RayOptions options(float radius = kInfinity) const { return {.radius = radius}; }
 };
 
 INSTANTIATE_TEST_SUITE_P(Kernels, Unbounded, testing::ValuesIn(all_kernels()), [](const auto& choice) {
@@ -59,7 +59,7 @@ TEST_P(Unbounded, TriesEveryTriangleAtAnyDistance) {
   const OccluderBvh occluders(mesh.view());
   const std::vector<Receiver> receivers = near_and_far_receivers();
   for (const int ray_count : {64, 128, 1024}) {
-    const AmbientOcclusion ao(occluders, SamplePattern::standard(ray_count), options());
+    const AmbientOcclusion ao(occluders, SamplePattern::standard(ray_count), options(), GetParam().kernel);
     const auto words = static_cast<std::size_t>(ao.pattern().word_count());
     std::vector<std::uint64_t> batch(receivers.size() * words);
     ao.query(receivers, {.mask_words = batch});
@@ -78,9 +78,9 @@ TEST_P(Unbounded, TriesEveryTriangleAtAnyDistance) {
 TEST_P(Unbounded, IsAsARadiusBeyondTheScene) {
   const OccluderBvh occluders(tests::random_soup(2000, 0.1f, 74).view());
   const std::vector<Receiver> receivers = tests::random_receivers(60, 1, 75);
-  const AmbientOcclusion unbounded(occluders, SamplePattern::standard(128), options());
+  const AmbientOcclusion unbounded(occluders, SamplePattern::standard(128), options(), GetParam().kernel);
   for (const float radius : {0x1p3f, 0x1p10f, 0x1p30f}) {
-    const AmbientOcclusion bounded(occluders, SamplePattern::standard(128), options(radius));
+    const AmbientOcclusion bounded(occluders, SamplePattern::standard(128), options(radius), GetParam().kernel);
     for (std::size_t i = 0; i < receivers.size(); ++i) {
       ASSERT_EQ(unbounded.query(receivers[i], i).mask, bounded.query(receivers[i], i).mask) << radius << ", " << i;
     }
@@ -88,8 +88,10 @@ TEST_P(Unbounded, IsAsARadiusBeyondTheScene) {
 }
 
 TEST_P(Unbounded, ClosedBoxBlocksAllAndNothingBlocksNone) {
-  const AmbientOcclusion box(OccluderBvh(tests::closed_box().view()), SamplePattern::standard(1024), options());
-  const AmbientOcclusion nothing(OccluderBvh(TriangleMesh{}), SamplePattern::standard(64), options());
+  const AmbientOcclusion box(OccluderBvh(tests::closed_box().view()), SamplePattern::standard(1024), options(),
+                             GetParam().kernel);
+  const AmbientOcclusion nothing(OccluderBvh(TriangleMesh{}), SamplePattern::standard(64), options(),
+                                 GetParam().kernel);
   for (const Receiver& receiver : tests::random_receivers(50, 0.99f, 76)) {
     EXPECT_EQ(box.query(receiver, 1).occlusion, 1);
     EXPECT_EQ(nothing.query(receiver, 1).occlusion, 0);
@@ -102,7 +104,7 @@ TEST_P(Unbounded, RaysOfAnyLengthOfAFalloffReachEverything) {
   std::vector<float> lengths(64, 0.001f);
   lengths[5] = 0;
   const AmbientOcclusion ao(OccluderBvh(tests::closed_box().view()), SamplePattern::from_disk(standard.disk(), lengths),
-                            options());
+                            options(), GetParam().kernel);
   const OcclusionMask mask = ao.query({.position = {0.5f, 0, 0}, .normal = {0, 1, 0}}, 3).mask;
   EXPECT_EQ(mask.count(), 63);
   EXPECT_FALSE(mask.test(5));
@@ -111,8 +113,8 @@ TEST_P(Unbounded, RaysOfAnyLengthOfAFalloffReachEverything) {
 TEST_P(Unbounded, LevelsOfTheSameOccludersGiveTheBitsOfNone) {
   const OccluderBvh occluders(tests::random_soup(1000, 0.2f, 77).view());
   const std::vector<OccluderLevel> levels = {{occluders, 0, 0.4f}, {occluders, 0.4f, 1.5f}, {occluders, 1.5f}};
-  const AmbientOcclusion whole(occluders, SamplePattern::standard(256), options());
-  const AmbientOcclusion parts(levels, SamplePattern::standard(256), options());
+  const AmbientOcclusion whole(occluders, SamplePattern::standard(256), options(), GetParam().kernel);
+  const AmbientOcclusion parts(levels, SamplePattern::standard(256), options(), GetParam().kernel);
   const std::vector<Receiver> receivers = near_and_far_receivers();
   std::vector<float> batch(receivers.size());
   parts.query(receivers, {.occlusion = batch});

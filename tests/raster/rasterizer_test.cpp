@@ -38,17 +38,13 @@ class RasterizerTest : public gl::tests::OnSoftware {
     rasterizer_->set_view(small_camera(), image_);
   }
 
-  Frame draw(const gl::DrawOptions& options) {
-    EXPECT_GT(rasterizer_->draw(options, true), 0);
+  Frame draw(const RayOptions& options) {
+    EXPECT_GT(rasterizer_->draw(options, {}, true), 0);
     return {rasterizer_->read_occlusion(), rasterizer_->read_bent_normals(), rasterizer_->pass().read_masks()};
   }
 
-  Frame ask(const SamplePattern& pattern, const gl::DrawOptions& options) const {
-    const AmbientOcclusion ao(OccluderBvh(mesh_.view()), pattern,
-                              {.radius = options.radius,
-                               .sidedness = options.two_sided ? Sidedness::two_sided : Sidedness::one_sided,
-                               .jitter = {options.rotation, options.tilt},
-                               .seed = options.seed});
+  Frame ask(const SamplePattern& pattern, const RayOptions& options) const {
+    const AmbientOcclusion ao(OccluderBvh(mesh_.view()), pattern, options);
     const std::size_t count = image_.receivers.size();
     Frame frame;
     frame.occlusion.resize(count);
@@ -101,7 +97,7 @@ TEST_F(RasterizerTest, ExactMasksAreTheQuerysAtAnySize) {
     look(width, height);
     ASSERT_TRUE(width == 1 || image_.receiver_count < image_.receivers.size()) << "no background";
     ASSERT_GT(image_.receiver_count, image_.receivers.size() / 8);
-    const gl::DrawOptions options{.radius = 0.5f, .seed = 5};
+    const RayOptions options{.radius = 0.5f, .seed = 5};
     const Frame asked = ask(pattern, options);
     std::uint64_t blocked_count = 0;
     for (const std::uint64_t word : asked.masks) blocked_count += static_cast<unsigned>(std::popcount(word));
@@ -112,7 +108,7 @@ TEST_F(RasterizerTest, ExactMasksAreTheQuerysAtAnySize) {
 
 TEST_F(RasterizerTest, FollowsSidednessFalloffSamplesAndTilt) {
   look(45, 32);
-  const gl::DrawOptions options{.radius = 0.6f, .two_sided = false, .rotation = 0.5f, .tilt = 0.1f, .seed = 7};
+  const RayOptions options{.radius = 0.6f, .sidedness = Sidedness::one_sided, .jitter = {0.5f, 0.1f}, .seed = 7};
   for (const int ray_count : {64, 192}) {
     const SamplePattern pattern = SamplePattern::standard(ray_count).with_falloff(Falloff::linear());
     rasterizer_->start_pass({.geometry = gl::GeometryBackEnd::geometry_shader}, mesh_, make_table(pattern));
@@ -131,14 +127,14 @@ TEST_F(RasterizerTest, FollowsGeometricNormals) {
   rasterizer_->set_view(small_camera(), image_);
   const SamplePattern& pattern = SamplePattern::standard(64);
   rasterizer_->start_pass({}, mesh_, make_table(pattern));
-  const gl::DrawOptions options{.radius = 0.5f};
+  const RayOptions options{.radius = 0.5f};
   expect_same(draw(options), ask(pattern, options));
 }
 
 TEST_F(RasterizerTest, OnePassDrawsBothKindsOfMasksAndCounts) {
   look(60, 45);
   const SamplePattern& pattern = SamplePattern::standard(128);
-  const gl::DrawOptions options{.radius = 0.5f};
+  const RayOptions options{.radius = 0.5f};
   rasterizer_->start_pass({.count_fragments = true}, mesh_, make_table(pattern));
   const Frame exact = draw(options), again = draw(options);
   EXPECT_EQ(exact.masks, again.masks);

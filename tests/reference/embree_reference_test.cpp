@@ -20,8 +20,8 @@ constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 constexpr Casting kBothCastings[] = {Casting::packets, Casting::single_rays};
 
-QueryOptions options_of(float radius, Sidedness sidedness = Sidedness::two_sided) {
-  QueryOptions options;
+RayOptions options_of(float radius, Sidedness sidedness = Sidedness::two_sided) {
+  RayOptions options;
   options.radius = radius;
   options.sidedness = sidedness;
   return options;
@@ -32,11 +32,11 @@ Receiver upright(std::uint32_t excluded_primitive = kNoPrimitive) {
   return {{0, 0, 0}, {0, 0, 1}, {0, 0, 0}, excluded_primitive};
 }
 
-AmbientOcclusion make_ao(const scene::Mesh& mesh, const QueryOptions& options, int ray_count = 256) {
+AmbientOcclusion make_ao(const scene::Mesh& mesh, const RayOptions& options, int ray_count = 256) {
   return {OccluderBvh(mesh.view()), SamplePattern::standard(ray_count), options};
 }
 
-ReceiverOcclusion ask(const scene::Mesh& mesh, const QueryOptions& options, const Receiver& receiver,
+ReceiverOcclusion ask(const scene::Mesh& mesh, const RayOptions& options, const Receiver& receiver,
                       Casting casting = Casting::packets) {
   return EmbreeReference(mesh, {.casting = casting}).query(make_ao(mesh, options), receiver, 7);
 }
@@ -112,7 +112,7 @@ TEST(EmbreeReference, OneSidedRaysGoOnBehindAnAvertedTriangle) {
   scene::Mesh mesh;
   const scene::Mesh facing = ceiling(100, 1);
   add_quad(mesh, {100, -100, 0.5f}, {100, 100, 0.5f}, {-100, 100, 0.5f}, {-100, -100, 0.5f});  // front upwards
-  const QueryOptions options = options_of(1.25f, Sidedness::one_sided);
+  const RayOptions options = options_of(1.25f, Sidedness::one_sided);
   ASSERT_EQ(ask(mesh, options, upright()).occlusion, 0);
   scene::append(mesh, facing);
   EXPECT_EQ(ask(mesh, options, upright()).mask, ask(facing, options, upright()).mask);
@@ -120,7 +120,7 @@ TEST(EmbreeReference, OneSidedRaysGoOnBehindAnAvertedTriangle) {
 
 TEST(EmbreeReference, ExcludedPrimitiveDoesNotBlock) {
   const scene::Mesh mesh = ceiling(100, 1);
-  const QueryOptions options = options_of(1.5f);
+  const RayOptions options = options_of(1.5f);
   for (const Casting casting : kBothCastings) {
     const OcclusionMask all = ask(mesh, options, upright(), casting).mask;
     const OcclusionMask without_0 = ask(mesh, options, upright(0), casting).mask;
@@ -146,7 +146,7 @@ TEST(EmbreeReference, BadTrianglesBlockNothingAndTakeNoNumbers) {
 
   const scene::Mesh good = ceiling(100, 1);
   scene::append(mesh, good);  // its triangles are 9 and 10 now
-  const QueryOptions options = options_of(1.5f);
+  const RayOptions options = options_of(1.5f);
   EXPECT_EQ(ask(mesh, options, upright()).mask, ask(good, options, upright()).mask);
   EXPECT_EQ(ask(mesh, options, upright(9)).mask, ask(good, options, upright(0)).mask);
   EXPECT_EQ(ask(mesh, options, upright(10)).mask, ask(good, options, upright(1)).mask);
@@ -161,7 +161,7 @@ TEST(EmbreeReference, RaysWithoutLengthAreNeverBlocked) {
   std::vector<glm::vec2> points;
   for (const glm::vec2& point : SamplePattern::standard(64).disk()) points.push_back(point);
   const std::vector<float> lengths(points.size(), 0.0f);
-  QueryOptions options = options_of(1);
+  RayOptions options = options_of(1);
   options.surface_offset = 0;
   const AmbientOcclusion ao(OccluderBvh(mesh.view()), SamplePattern::from_disk(points, lengths), options);
   for (const Casting casting : kBothCastings) {

@@ -44,8 +44,8 @@ class Soup : public testing::TestWithParam<Case> {
     }
   }
 
-  static QueryOptions options() {
-    QueryOptions options;
+  static RayOptions options() {
+    RayOptions options;
     options.radius = GetParam().radius;
     options.sidedness = GetParam().sidedness;
     return options;

@@ -14,7 +14,7 @@ namespace lkao::scene {
 namespace {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
-constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
 
 const Receiver& receiver_of(const ReceiverImage& image, int column, int row) {
   const auto pixel = static_cast<std::size_t>(row * image.width + column);
@@ -36,9 +36,9 @@ TEST(Camera, FaultsAreNamed) {
   EXPECT_NE(fault({{1, 2, 3}, {1, 2, 3}, {0, 1, 0}, 60}).find("same point (1, 2, 3)"), std::string::npos);
   EXPECT_NE(fault({{0, 0, 5}, {0, 0, 0}, {0, 0, 0}, 60}).find("up is zero"), std::string::npos);
   EXPECT_NE(fault({{0, 5, 0}, {0, 0, 0}, {0, 1, 0}, 60}).find("along the view"), std::string::npos);
-  EXPECT_NE(fault({{0, 0, kNan}, {0, 0, 0}, {0, 1, 0}, 60}).find("eye is not finite"), std::string::npos);
+  EXPECT_NE(fault({{0, 0, kNaN}, {0, 0, 0}, {0, 1, 0}, 60}).find("eye is not finite"), std::string::npos);
   EXPECT_NE(fault({{0, 0, 5}, {0, kInfinity, 0}, {0, 1, 0}, 60}).find("target is not finite"), std::string::npos);
-  for (float fov : {0.0f, -1.0f, 180.0f, kNan}) {
+  for (float fov : {0.0f, -1.0f, 180.0f, kNaN}) {
     EXPECT_NE(fault({{0, 0, 5}, {0, 0, 0}, {0, 1, 0}, fov}).find("fov"), std::string::npos) << fov;
   }
 }
@@ -131,7 +131,7 @@ TEST(Receivers, PixelsThatSeeNothingHaveInfiniteDepthAndNoNormal) {
 TEST(Receivers, BadTrianglesAreNotSeen) {
   Mesh mesh = make_plane();
   const auto first = static_cast<std::uint32_t>(mesh.positions.size());
-  mesh.positions.insert(mesh.positions.end(), {{kNan, 1, 0}, {-9, 1, -9}, {9, 1, -9}, {0, 1, kInfinity}, {9, 1, 9}});
+  mesh.positions.insert(mesh.positions.end(), {{kNaN, 1, 0}, {-9, 1, -9}, {9, 1, -9}, {0, 1, kInfinity}, {9, 1, 9}});
   mesh.triangles.insert(
       mesh.triangles.begin(),
       {{first, first + 1, first + 2}, {first + 1, first + 2, first + 3}, {first + 1, first + 1, first + 4}});

@@ -9,7 +9,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "bvh/zero_area.h"
+#include "bvh/usable_triangle.h"
 #include "scene/defects.h"
 #include "scene/files.h"
 #include "scene/ply_writer.h"

@@ -3,20 +3,21 @@
 
 #include <glm/geometric.hpp>
 
-#include "bvh/triangle_test.h"
-#include "bvh/zero_area.h"
+#include "bvh/ray_triangle.h"
+#include "bvh/usable_triangle.h"
 #include "lkao/ambient_occlusion.h"
+#include "lut/coordinates.h"
 
 namespace lkao::tests {
 
 // With the library's own triangle test: must equal the query bit for bit.
-inline OcclusionMask brute_force_mask(const TriangleMesh& mesh, const ReceiverRays& rays, const QueryOptions& options,
+inline OcclusionMask brute_force_mask(const TriangleMesh& mesh, const ReceiverRays& rays, const RayOptions& options,
                                       std::uint32_t excluded_primitive = kNoPrimitive) {
   OcclusionMask blocked;
   for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
     const glm::uvec3& t = mesh.triangles[i];
     const glm::vec3 &a = mesh.positions[t.x], &b = mesh.positions[t.y], &c = mesh.positions[t.z];
-    if (i == excluded_primitive || !bvh::is_in_range(a, b, c) || bvh::has_zero_area(a, b, c)) continue;
+    if (i == excluded_primitive || !lut::is_in_range(a, b, c) || bvh::has_zero_area(a, b, c)) continue;
     const bvh::TriangleTest test(a, b, c, rays.origin, rays.radius, options.sidedness);
     if (!test.can_block()) continue;
     for (int ray = 0; ray < rays.ray_count; ++ray) {

@@ -51,7 +51,7 @@ class DataRace : public ::testing::TestWithParam<float> {
     }
     for (int i = 0; i < kReceiverCount; ++i) receivers_.push_back({.position = point(), .normal = point()});
     ASSERT_TRUE(run_and_join_workers([&] {
-      ao_.emplace(OccluderBvh({positions, triangles}), SamplePattern::standard(64), QueryOptions{.radius = GetParam()});
+      ao_.emplace(OccluderBvh({positions, triangles}), SamplePattern::standard(64), RayOptions{.radius = GetParam()});
     }));
     for (std::size_t i = 0; i < receivers_.size(); ++i) expected_.push_back(ao_->query(receivers_[i], i));
   }

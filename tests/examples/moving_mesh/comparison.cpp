@@ -8,17 +8,13 @@
 namespace moving_mesh {
 
 Difference compare_with_query(lkao::gl::OcclusionPass& pass, const lkao::TriangleMesh& mesh,
-                              const lkao::SamplePattern& pattern, const lkao::gl::DrawOptions& options,
+                              const lkao::SamplePattern& pattern, const lkao::RayOptions& options,
                               std::span<const std::uint8_t> resolved) {
   std::vector<lkao::Receiver> receivers;
   for (const lkao::gl::PixelReceiver& pixel : pass.read_receivers()) {
     receivers.push_back(pixel.is_valid ? lkao::Receiver{pixel.origin, pixel.frame[2], pixel.up} : lkao::Receiver{});
   }
-  lkao::QueryOptions query;
-  query.radius = options.radius;
-  query.sidedness = options.two_sided ? lkao::Sidedness::two_sided : lkao::Sidedness::one_sided;
-  query.jitter = {options.rotation, options.tilt};
-  query.seed = options.seed;
+  lkao::RayOptions query = options;
   query.surface_offset = 0;  // the pass's receivers are off the surface already
   std::vector<float> occlusion(receivers.size());
   lkao::AmbientOcclusion(lkao::OccluderBvh(mesh), pattern, query).query(receivers, {.occlusion = occlusion});

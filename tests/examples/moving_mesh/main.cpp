@@ -113,10 +113,10 @@ void run(const Options& options) {
   lkao::gl::OcclusionPass pass;                                                           // lkao, once
   pass.set_table(lkao::PlaneMaskTable(pattern, table_options(options)));                  // lkao
   pass.set_occluders(mesh.positions, mesh.triangles);                                     // lkao, for each mesh
-  lkao::gl::DrawOptions draw_options;
-  draw_options.radius = options.radius;
+  lkao::RayOptions ray_options;
+  ray_options.radius = options.radius;
   // Positions that are found from depths lie a little off their surfaces.
-  draw_options.surface_offset = 200;
+  ray_options.surface_offset = 200;
 
   Times times;
   for (int frame = 0; frame < options.frame_count; ++frame) {
@@ -127,7 +127,7 @@ void run(const Options& options) {
     glFinish();
     const lkao::cli::Stopwatch of_occlusion;
     pass.draw({.width = width, .height = height, .depth = renderer.depth(), .normals = renderer.normals()},  // lkao
-              {renderer.view(), renderer.projection(), lkao::gl::ClipDepth::zero_to_one}, draw_options);     // lkao
+              {renderer.view(), renderer.projection(), lkao::gl::ClipDepth::zero_to_one}, ray_options);      // lkao
     pass.resolve({.occlusion = renderer.occlusion()});                                                       // lkao
     times.occlusion.push_back(finished_milliseconds(of_occlusion));
     renderer.shade();
@@ -136,7 +136,7 @@ void run(const Options& options) {
   }
   times.print();
   const Difference difference =
-      moving_mesh::compare_with_query(pass, mesh.view(), pattern, draw_options, renderer.read_occlusion());
+      moving_mesh::compare_with_query(pass, mesh.view(), pattern, ray_options, renderer.read_occlusion());
   fmt::print("last frame against the CPU's query: {:.3f} % of {} receivers equal at 8 bits, mean error {:.2g}\n",
              100 * difference.equal_share, difference.receiver_count, difference.mean_error);
 }

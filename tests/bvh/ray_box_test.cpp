@@ -1,4 +1,4 @@
-#include "bvh/box_test.h"
+#include "bvh/ray_box.h"
 
 #include <cmath>
 

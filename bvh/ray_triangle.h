@@ -10,7 +10,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
-#include "lkao/ambient_occlusion.h"
+#include "lkao/receiver.h"
 
 namespace lkao::bvh {
 

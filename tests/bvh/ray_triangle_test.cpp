@@ -1,4 +1,4 @@
-#include "bvh/triangle_test.h"
+#include "bvh/ray_triangle.h"
 
 #include <cmath>
 #include <limits>

@@ -1,0 +1,58 @@
+// What a query and a pass both need to know: points that receive occlusion, and the rays they cast.
+//
+// Based on: S. Laine, T. Karras, "Two Methods for Fast Ray-Cast Ambient Occlusion", EGSR 2010, Sec. 1.1 and 3.
+#pragma once
+
+#include <cstdint>
+
+#include <glm/vec3.hpp>
+
+namespace lkao {
+
+inline constexpr std::uint32_t kNoPrimitive = 0xffffffffu;
+
+// A point that receives occlusion. Positions and normals in world space; normals of any length.
+struct Receiver {
+  glm::vec3 position{0};
+  // The axis of the sample pattern: the shading normal.
+  glm::vec3 normal{0};
+  // The side of the surface the receiver lies on: rays below this normal's horizon are not cast, and the
+  // origin is moved off the surface along it. Zero means: the same as `normal`.
+  glm::vec3 geometric_normal{0};
+  // A primitive that cannot block this receiver's rays (usually the one it lies on).
+  std::uint32_t excluded_primitive = kNoPrimitive;
+};
+
+enum class Sidedness {
+  two_sided,  // a triangle blocks rays from both sides
+  one_sided,  // a triangle blocks rays only of receivers in front of it (Laine & Karras 2010, Sec. 1.1)
+};
+
+// Per-receiver variation of the sample pattern, against banding (Laine & Karras 2010, Sec. 3).
+struct Jitter {
+  // Rotation about the normal, drawn evenly from [0, rotation) turns; in [0, 1].
+  float rotation = 1.0f;
+  // Largest tilt of the pattern's axis, in radians; in [0, pi/2]. None by default: with a whole turn of rotation it
+  // hides no more structure and costs accuracy (lut/README.md). Never more than would bring the lowest ray to the
+  // horizon (SamplePattern::lowest_elevation), whatever is asked.
+  float tilt = 0.0f;
+};
+
+// The rays of every receiver and what they meet. The same values mean the same rays to the CPU's query and to the
+// OpenGL passes. Whoever takes them throws std::invalid_argument, naming the option and its value, where one is out of
+// range.
+struct RayOptions {
+  // AO radius: the length of the longest ray, in the unit of the positions. > 0, at most 1e18; or infinity: then every
+  // ray of non-zero length goes beyond all occluders (ReceiverRays::radius), whatever share of the radius it is.
+  float radius = 0;
+  Sidedness sidedness = Sidedness::two_sided;
+  Jitter jitter = {};
+  // With a receiver's index, the only source of its jitter.
+  std::uint64_t seed = 0;
+  // Rays start off the surface, so that rounding does not make a receiver block itself: moved along the
+  // geometric normal by surface_offset x 2^-24 x the largest coordinate in play (of the receiver or of the
+  // occluders' bounds). >= 0 and finite; 0 where positions are already off the surface.
+  float surface_offset = 16.0f;
+};
+
+}  // namespace lkao

@@ -1,0 +1,28 @@
+#include "lut/ray_options.h"
+
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "lut/coordinates.h"
+
+namespace lkao::lut {
+
+void require(bool condition, const char* option, const char* range, double value) {
+  if (!condition) throw std::invalid_argument(fmt::format("{} must be {}, not {}", option, range, value));
+}
+
+void check(const RayOptions& options) {
+  require(options.radius > 0 && (options.radius <= kLargestCoordinate || std::isinf(options.radius)), "radius",
+          "greater than 0 and at most 1e18, or infinity", options.radius);
+  require(options.jitter.rotation >= 0 && options.jitter.rotation <= 1, "jitter.rotation", "in [0, 1] turns",
+          options.jitter.rotation);
+  require(options.jitter.tilt >= 0 && options.jitter.tilt <= 0.5f * std::numbers::pi_v<float>, "jitter.tilt",
+          "in [0, pi/2] radians", options.jitter.tilt);
+  require(std::isfinite(options.surface_offset) && options.surface_offset >= 0, "surface_offset",
+          "finite and at least 0", options.surface_offset);
+}
+
+}  // namespace lkao::lut
