@@ -54,14 +54,14 @@ std::size_t size_in_bytes(const Vector& values) {
 
 }  // namespace
 
-std::shared_ptr<const Layout> build(const TriangleMesh& mesh, const BuildOptions& options) {
+std::shared_ptr<const Layout> build(const TriangleMesh& mesh, const BuildOptions& options, const Progress& progress) {
   const auto start = std::chrono::steady_clock::now();
   auto layout = std::make_shared<Layout>();
   layout->bounds = {glm::vec3(kInfinity), glm::vec3(-kInfinity)};
   SplitBuilder builder(mesh, options.spatial_splits);
   Pieces pieces = collect_occluders(mesh, builder.capacity_for(mesh.triangles.size()), *layout);
   if (!pieces.empty()) {
-    const BuildTree& tree = builder.build(std::move(pieces));
+    const BuildTree& tree = builder.build(std::move(pieces), progress);
     layout->positions.assign(mesh.positions.begin(), mesh.positions.end());
     layout->triangles.assign(mesh.triangles.begin(), mesh.triangles.end());
     flatten(tree, *layout);
@@ -78,7 +78,8 @@ std::shared_ptr<const Layout> build(const TriangleMesh& mesh, const BuildOptions
 
 namespace lkao {
 
-OccluderBvh::OccluderBvh(const TriangleMesh& mesh, const BuildOptions& options) : layout_(bvh::build(mesh, options)) {}
+OccluderBvh::OccluderBvh(const TriangleMesh& mesh, const BuildOptions& options, const Progress& progress)
+    : layout_(bvh::build(mesh, options, progress)) {}
 
 const BuildReport& OccluderBvh::report() const { return layout_->report; }
 const Bounds& OccluderBvh::bounds() const { return layout_->bounds; }

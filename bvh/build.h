@@ -8,6 +8,6 @@
 namespace lkao::bvh {
 
 // As OccluderBvh's constructor says.
-std::shared_ptr<const Layout> build(const TriangleMesh& mesh, const BuildOptions& options);
+std::shared_ptr<const Layout> build(const TriangleMesh& mesh, const BuildOptions& options, const Progress& progress);
 
 }  // namespace lkao::bvh

@@ -41,6 +41,8 @@ struct PieceSet {
 
   std::size_t size() const { return end - begin; }
   std::size_t room() const { return room_end - end; }
+  // Of two halves together as of the whole.
+  std::size_t size_with_room() const { return room_end - begin; }
   void include(const Piece& piece) {
     bounds = merge(bounds, piece.box);
     centers = merge(centers, piece.twice_center());

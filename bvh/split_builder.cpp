@@ -23,6 +23,8 @@ constexpr std::size_t kPiecesWorthManyTasks = 16384;
 // From this level on sets are halved by number, so that no leaf is deeper than kMaxDepth: 8^16 pieces still find room.
 constexpr int kLastFreeLevel = kMaxDepth - 16;
 
+bool is_worth_a_task(const PieceSet& set) { return set.size() >= kPiecesWorthATask; }
+
 Bounds bounds_of(const Box& box) {
   return {{box.lower[0], box.lower[1], box.lower[2]}, {box.upper[0], box.upper[1], box.upper[2]}};
 }
@@ -74,14 +76,18 @@ std::size_t SplitBuilder::capacity_for(std::size_t triangle_count) const {
   return triangle_count + static_cast<std::size_t>(room);
 }
 
-const BuildTree& SplitBuilder::build(Pieces pieces) {
+const BuildTree& SplitBuilder::build(Pieces pieces, const Progress& progress) {
   pieces_ = std::move(pieces);
   PieceSet set;
   set.end = pieces_.size();
   for (const Piece& piece : pieces_) set.include(piece);
   pieces_.resize(capacity_for(set.size()));
   set.room_end = pieces_.size();
-  return *build_tree(set, 0);
+  lut::ProgressSum sum(progress, set.size_with_room());
+  progress_ = &sum;
+  const BuildTree* const tree = build_tree(set, 0);
+  if (!is_worth_a_task(set)) sum.add(set.size_with_room());
+  return *tree;
 }
 
 template <typename Tree>
@@ -113,8 +119,9 @@ const BuildTree* SplitBuilder::build_node(const PieceSet& set, int level) {
   const auto build_child = [&](int i) {
     node->bounds[i] = bounds_of(children[i].bounds);
     node->children[i] = build_tree(children[i], level + 1);
+    if (is_worth_a_task(set) && !is_worth_a_task(children[i])) progress_->add(children[i].size_with_room());
   };
-  if (set.size() >= kPiecesWorthATask) {
+  if (is_worth_a_task(set)) {
     tbb::parallel_for(0, count, build_child);
   } else {
     for (int i = 0; i < count; ++i) build_child(i);

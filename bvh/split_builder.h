@@ -13,6 +13,8 @@
 #include "bvh/piece.h"
 #include "bvh/spatial_bins.h"
 #include "lkao/occluder_bvh.h"
+#include "lkao/progress.h"
+#include "lut/progress_sum.h"
 
 namespace lkao::bvh {
 
@@ -30,8 +32,8 @@ class SplitBuilder {
   std::size_t capacity_for(std::size_t triangle_count) const;
 
   // The tree over the boxes of some triangles of the mesh, at least one. The same on any number of threads, on which it
-  // runs in the caller's TBB arena.
-  const BuildTree& build(Pieces pieces);
+  // runs in the caller's TBB arena. Throws Cancelled where `progress` stops it.
+  const BuildTree& build(Pieces pieces, const Progress& progress = {});
 
  private:
   const BuildTree* build_tree(const PieceSet& set, int level);
@@ -55,6 +57,7 @@ class SplitBuilder {
   const TriangleMesh mesh_;
   const bool spatial_splits_;
   Pieces pieces_;
+  lut::ProgressSum* progress_ = nullptr;  // of the build that is under way
   tbb::enumerable_thread_specific<std::pmr::monotonic_buffer_resource> memory_;
 };
 

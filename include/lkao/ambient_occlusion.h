@@ -17,12 +17,14 @@
 #include "lkao/occluder_bvh.h"
 #include "lkao/occlusion_mask.h"
 #include "lkao/plane_mask_table.h"
+#include "lkao/progress.h"
 #include "lkao/receiver.h"
 #include "lkao/receiver_rays.h"
 #include "lkao/sample_pattern.h"
 
 namespace lkao {
 
+class Neighbourhood;
 namespace query {
 class Tracer;
 }
@@ -94,13 +96,23 @@ class AmbientOcclusion {
                    NodeMasks node_masks = NodeMasks::box_outline);
 
   // One receiver, in the calling thread. `index` with the seed gives the jitter: use the pixel, the vertex
-  // or the sample number. Allocates nothing but the thread's memory of blockers, once.
+  // or the sample number. Allocates nothing but the thread's memory of blockers, once. Needs up to 128 KiB of stack, as
+  // all queries in the thread that runs them.
   ReceiverOcclusion query(const Receiver& receiver, std::uint64_t index) const;
 
+  // The mask alone, for those who count its bits themselves: no bent normal is computed.
+  OcclusionMask blocked(const Receiver& receiver, std::uint64_t index) const;
+
+  // For receivers one by one whose positions lie in this box: a tile of an image, a patch of a surface. They are
+  // answered as query() answers them, faster (neighbourhood.h). Throws std::invalid_argument where the box is empty or
+  // not finite.
+  Neighbourhood around(const Bounds& positions) const;
+
   // Many receivers, in parallel, in the TBB arena of the caller. Receiver k has index first_index + k.
-  // Throws std::invalid_argument where a span of the outputs has the wrong size.
-  QueryReport query(std::span<const Receiver> receivers, const QueryOutputs& outputs,
-                    std::uint64_t first_index = 0) const;
+  // Throws std::invalid_argument where a span of the outputs has the wrong size, and Cancelled where `progress`, which
+  // counts receivers, stops it: some entries of the outputs are answers then, the others are what they were.
+  QueryReport query(std::span<const Receiver> receivers, const QueryOutputs& outputs, std::uint64_t first_index = 0,
+                    const Progress& progress = {}) const;
 
   // The rays that `query` casts for this receiver, bit for bit: what a reference ray tracer must be given.
   ReceiverRays rays(const Receiver& receiver, std::uint64_t index) const;

@@ -8,6 +8,8 @@
 
 #include <glm/vec3.hpp>
 
+#include "lkao/progress.h"
+
 namespace lkao {
 
 // A view of an indexed triangle mesh; owns nothing. Positions in world space, in any unit. The front of a
@@ -52,12 +54,11 @@ struct Layout;
 //
 // The constructor builds in parallel, in the TBB arena of the caller; the hierarchy is the same on any number
 // of threads. It throws std::invalid_argument where an index is outside `positions`, naming triangle and
-// index, and std::runtime_error where the builder fails (out of memory). A mesh without any usable triangle
-// is valid and blocks nothing.
-// A built hierarchy may be used from any number of threads.
+// index, std::bad_alloc where memory is out, and Cancelled where `progress` stops it. A mesh without any usable
+// triangle is valid and blocks nothing. A built hierarchy may be used from any number of threads.
 class OccluderBvh {
  public:
-  explicit OccluderBvh(const TriangleMesh& mesh, const BuildOptions& options = {});
+  explicit OccluderBvh(const TriangleMesh& mesh, const BuildOptions& options = {}, const Progress& progress = {});
 
   const BuildReport& report() const;
   // Of all occluders; lower = +infinity, upper = -infinity where there is none.

@@ -76,6 +76,7 @@ lod::Simplified simplify_watched(const scene::Mesh& mesh, const lod::LevelRule& 
   lod::Simplified simplified = lod::simplify(mesh, {.levels = rule}, [&](std::size_t done, std::size_t) {
     progress.advance(done - shown);
     shown = done;
+    return true;
   });
   progress.clear();
   return simplified;

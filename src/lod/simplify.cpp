@@ -1,7 +1,6 @@
 #include "lod/simplify.h"
 
 #include <algorithm>
-#include <mutex>
 #include <numeric>
 #include <stdexcept>
 
@@ -12,6 +11,7 @@
 #include "lod/part_levels.h"
 #include "lod/parts.h"
 #include "lod/surface_samples.h"
+#include "lut/progress_sum.h"
 
 namespace lkao::lod {
 namespace {
@@ -30,25 +30,6 @@ void check_mesh(const scene::Mesh& mesh) {
     }
   }
 }
-
-// Adds up the progress of all parts.
-class ProgressSum {
- public:
-  ProgressSum(const Progress& progress, std::size_t total) : progress_(progress), total_(total) {}
-
-  void advance(std::size_t count) {
-    if (!progress_ || count == 0) return;
-    const std::lock_guard lock(mutex_);
-    done_ += count;
-    progress_(done_, total_);
-  }
-
- private:
-  const Progress& progress_;
-  std::size_t total_;
-  std::size_t done_ = 0;
-  std::mutex mutex_;
-};
 
 class Simplification {
  public:
@@ -106,13 +87,13 @@ class Simplification {
     std::iota(order.begin(), order.end(), 0u);
     std::ranges::stable_sort(order, std::greater(),
                              [&](std::uint32_t part) { return scene_.parts[part].mesh.triangles.size(); });
-    ProgressSum sum(progress, result_.report.simplified_part_triangle_count);
+    lut::ProgressSum sum(progress, result_.report.simplified_part_triangle_count);
     tbb::parallel_for(
         std::size_t{0}, order.size(), [&](std::size_t i) { simplify_part_at(order[i], sum); },
         tbb::simple_partitioner());
   }
 
-  void simplify_part_at(std::uint32_t number, ProgressSum& sum) {
+  void simplify_part_at(std::uint32_t number, lut::ProgressSum& sum) {
     const Part& part = scene_.parts[number];
     if (goals_.empty()) return;
     if (is_small(part)) {
@@ -121,11 +102,11 @@ class Simplification {
     }
     std::size_t left = part.mesh.triangles.size();
     const PartDecimater::OnRemoved on_removed = [&](std::size_t count) {
-      sum.advance(std::min(count, left));
+      sum.add(std::min(count, left));
       left -= std::min(count, left);
     };
     results_[number] = simplify_part(part.mesh, goals_, on_removed);
-    sum.advance(left);
+    sum.add(left);
   }
 
   // The parts in their order, over the vertices that are left, each once.

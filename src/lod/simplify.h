@@ -2,9 +2,9 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <vector>
 
+#include "lkao/progress.h"
 #include "lod/chain.h"
 #include "lod/distance.h"
 
@@ -57,14 +57,10 @@ struct Simplified {
   SimplifyReport report;
 };
 
-// Told how much of the work is done. Called from any thread, one call at a time; what it throws ends the work and comes
-// out of simplify().
-using Progress = std::function<void(std::size_t done, std::size_t total)>;
-
 // Parallel over the connected parts, in the TBB arena of the caller; the same chain at any number of threads. Every
 // measured maximum distance of a level is at most its epsilon: a part that cannot keep to it stays finer.
 // Throws std::invalid_argument naming the argument and its value where an option is out of range, an index is, or where
-// the mesh has no triangle.
+// the mesh has no triangle; Cancelled where `progress` stops it.
 Simplified simplify(const scene::Mesh& mesh, const SimplifyOptions& options, const Progress& progress = {});
 
 }  // namespace lkao::lod

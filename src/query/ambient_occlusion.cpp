@@ -64,8 +64,14 @@ ReceiverOcclusion AmbientOcclusion::query(const Receiver& receiver, std::uint64_
   return query::make_answer(pattern_, receiver, rays, blocked);
 }
 
+OcclusionMask AmbientOcclusion::blocked(const Receiver& receiver, std::uint64_t index) const {
+  ReceiverRays rays;
+  this->rays(receiver, index, rays);
+  return query::Tracer::Visit(*tracer_).trace(rays, receiver.excluded_primitive);
+}
+
 QueryReport AmbientOcclusion::query(std::span<const Receiver> receivers, const QueryOutputs& outputs,
-                                    std::uint64_t first_index) const {
+                                    std::uint64_t first_index, const Progress& progress) const {
   const auto answer_part = [&](std::size_t first, std::size_t last, const auto& take) {
     const Bounds origins = query::bounds_of_origins(receivers.subspan(first, last - first), options(),
                                                     tracer_->extent().largest_coordinate);
@@ -76,7 +82,7 @@ QueryReport AmbientOcclusion::query(std::span<const Receiver> receivers, const Q
       take(k, rays, visit.trace(rays, receivers[k].excluded_primitive));
     }
   };
-  return query::run_batch(pattern_, receivers, outputs, answer_part);
+  return query::run_batch(pattern_, receivers, outputs, answer_part, progress);
 }
 
 ReceiverRays AmbientOcclusion::rays(const Receiver& receiver, std::uint64_t index) const {

@@ -35,8 +35,8 @@ float largest_component(const glm::vec3& v) {
 }
 
 // How far the rays start above the surface.
-float offset_of(const Receiver& receiver, const RayOptions& options, float largest_coordinate) {
-  return options.surface_offset * 0x1p-24f * std::max(largest_component(receiver.position), largest_coordinate);
+float offset_of(const glm::vec3& position, const RayOptions& options, float largest_coordinate) {
+  return options.surface_offset * 0x1p-24f * std::max(largest_component(position), largest_coordinate);
 }
 
 }  // namespace
@@ -105,11 +105,17 @@ Bounds bounds_of_origins(std::span<const Receiver> receivers, const RayOptions& 
   for (const Receiver& receiver : receivers) {
     if (!lut::is_in_range(receiver.position)) continue;
     // Twice the offset: rounding included.
-    const glm::vec3 offset(2 * offset_of(receiver, options, largest_coordinate));
+    const glm::vec3 offset(2 * offset_of(receiver.position, options, largest_coordinate));
     bounds.lower = glm::min(bounds.lower, receiver.position - offset);
     bounds.upper = glm::max(bounds.upper, receiver.position + offset);
   }
   return bounds;
+}
+
+Bounds bounds_of_origins(const Bounds& positions, const RayOptions& options, float largest_coordinate) {
+  const glm::vec3 farthest = glm::max(glm::abs(positions.lower), glm::abs(positions.upper));
+  const glm::vec3 offset(2 * offset_of(farthest, options, largest_coordinate));
+  return {positions.lower - offset, positions.upper + offset};
 }
 
 float radius_beyond(const Bounds& occluders, const glm::vec3& origin) {
@@ -131,7 +137,7 @@ void make_rays(const Receiver& receiver, const PatternLanes& pattern, const RayO
   if (!is_valid(receiver)) return;
 
   rays.up = geometric_normal(receiver);
-  rays.origin = receiver.position + rays.up * offset_of(receiver, options, occluders.largest_coordinate);
+  rays.origin = receiver.position + rays.up * offset_of(receiver.position, options, occluders.largest_coordinate);
   if (std::isinf(options.radius)) rays.radius = radius_beyond(occluders.bounds, rays.origin);
 
   rays.frame = jittered_frame(receiver, options.jitter, pattern.lowest_elevation, options.seed, index);

@@ -46,6 +46,9 @@ struct PatternLanes {
 // A box around the origins of the rays of all valid receivers; lower > upper where there is none.
 Bounds bounds_of_origins(std::span<const Receiver> receivers, const RayOptions& options, float largest_coordinate);
 
+// The same for receivers anywhere in a box.
+Bounds bounds_of_origins(const Bounds& positions, const RayOptions& options, float largest_coordinate);
+
 // A radius that no point of `occluders` is farther away than from `origin`: a power of two, so that rays of this length
 // are exact multiples of their directions. 1 where there is no occluder.
 float radius_beyond(const Bounds& occluders, const glm::vec3& origin);

@@ -205,15 +205,21 @@ TEST(Simplify, ProgressReachesTheEndAndNeverGoesBack) {
     last = done;
     total = all;
     ++calls;
+    return true;
   });
   EXPECT_EQ(last, total);
   EXPECT_EQ(total, mesh.triangles.size());
   EXPECT_GT(calls, 2u);
 }
 
-TEST(Simplify, EndsWhereProgressThrows) {
-  struct Cancelled {};
-  EXPECT_THROW(simplify(ball(1, 96), options(0.01f), [](std::size_t, std::size_t) { throw Cancelled(); }), Cancelled);
+TEST(Simplify, EndsWhereProgressThrowsOrSaysSo) {
+  struct Enough {};
+  const Progress thrower = [](std::size_t, std::size_t) -> bool { throw Enough(); };
+  EXPECT_THROW(simplify(ball(1, 96), options(0.01f), thrower), Enough);
+  std::size_t calls = 0;
+  const auto stop = [&](std::size_t, std::size_t) { return ++calls < 2; };
+  EXPECT_THROW(simplify(ball(1, 96), options(0.01f), stop), Cancelled);
+  EXPECT_EQ(calls, 2u);
 }
 
 TEST(Simplify, RejectsWhatIsNoMesh) {

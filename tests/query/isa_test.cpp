@@ -8,9 +8,9 @@
 #include <vector>
 
 #include <gtest/gtest.h>
+#include <hwy/targets.h>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <hwy/targets.h>
 
 #include "lkao/lkao.h"
 #include "support/meshes.h"
