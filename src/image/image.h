@@ -23,7 +23,8 @@ struct Image {
 Image read_image(const std::string& path);
 
 // Writes by the file name's ending: .exr as 32-bit float, all channels, bit for bit; .png as 8 bits, 1 to 4 channels,
-// values as they are (sRGB-encoded already), clamped to [0, 1] and rounded, NaN as 0. Nothing is left behind when it
+// values as they are (sRGB-encoded already), clamped to [0, 1] and rounded, NaN as 0. Equal images are equal files: the
+// date in an EXR's header is always the same. Nothing is left behind when it
 // fails: the file appears complete or not at all (AtomicFile).
 // Throws std::runtime_error with one line naming the file and the fault. Prints nothing.
 void write_image(const std::string& path, const Image& image);

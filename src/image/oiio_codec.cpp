@@ -68,6 +68,7 @@ OIIO::ImageSpec make_spec(const Image& image, Format format) {
     spec.alpha_channel = -1;  // whatever a channel is called, its values are data
     spec.z_channel = -1;
     spec.attribute("compression", "zip");
+    spec.attribute("DateTime", "1970:01:01 00:00:00");  // instead of now: equal images are equal files
   } else {
     spec.attribute("oiio:ColorSpace", "sRGB");
     spec.attribute("oiio:UnassociatedAlpha", 1);  // values as they are

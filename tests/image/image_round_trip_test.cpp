@@ -5,6 +5,7 @@
 #include <bit>
 #include <limits>
 #include <random>
+#include <string>
 
 #include <gtest/gtest.h>
 
@@ -151,6 +152,14 @@ TEST(WriteImage, TakesEndingsInAnyCase) {
   write_image(folder / "b.Png", image);
   EXPECT_EQ(read_image(folder / "a.EXR").pixels[0], 0.5f);
   EXPECT_EQ(std::lround(read_image(folder / "b.Png").pixels[0] * 255), 128);
+}
+
+// Not the moment of writing.
+TEST(ExrFile, HasAlwaysTheSameDate) {
+  const TemporaryFolder folder;
+  write_image(folder / "a.exr", {1, 1, {"occlusion"}, {0.5f}});
+  const std::string bytes = bytes_of(folder / "a.exr");
+  EXPECT_NE(bytes.find("1970:01:01 00:00:00"), std::string::npos);
 }
 
 }  // namespace
