@@ -10,11 +10,15 @@
 #include <tbb/blocked_range.h>
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
+#include <tbb/partitioner.h>
 #include <tbb/task_arena.h>
+
+#include <glm/common.hpp>
 
 #include "cli/median.h"
 #include "embree_modes.h"
 #include "lkao/isa.h"
+#include "lkao/neighbourhood.h"
 #include "work_clock.h"
 
 namespace lkao::bench {
@@ -50,6 +54,22 @@ void query_singly(const AmbientOcclusion& ao, std::span<const Receiver> receiver
   });
 }
 
+// What one does that shades tile by tile.
+void query_around(const AmbientOcclusion& ao, std::span<const Receiver> receivers, Masks& masks) {
+  const auto word_count = static_cast<std::size_t>(ao.pattern().word_count());
+  const auto answer_tile = [&](const tbb::blocked_range<std::size_t>& range) {
+    Bounds positions{receivers[range.begin()].position, receivers[range.begin()].position};
+    for (const Receiver& receiver : receivers.subspan(range.begin(), range.size())) {
+      positions = {glm::min(positions.lower, receiver.position), glm::max(positions.upper, receiver.position)};
+    }
+    Neighbourhood here = ao.around(positions);
+    for (std::size_t k = range.begin(); k < range.end(); ++k) {
+      std::copy_n(here.blocked(receivers[k], k).words, word_count, masks.data() + k * word_count);
+    }
+  };
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, receivers.size(), 64), answer_tile, tbb::simple_partitioner());
+}
+
 // Each answer is timed the second time: a method finds its own data in the caches, whichever was before it.
 void run_rounds(std::vector<Method>& methods, const MeasureOptions& options, int thread_count) {
   for (int round = 0; round < options.round_count; ++round) {
@@ -82,7 +102,7 @@ Queries make_queries(const CellInput& input, const Cell& cell) {
   return {make(Kernel::simd), make(Kernel::scalar)};
 }
 
-// Cell::simd and single count on their places.
+// Cell::simd, single and around count on their places.
 std::vector<Method> make_methods(const CellInput& input, const Queries& queries, int round_count, bool with_scalar) {
   const std::span<const Receiver> receivers = input.receivers;
   const auto batch = [receivers](const AmbientOcclusion& ao) {
@@ -91,7 +111,8 @@ std::vector<Method> make_methods(const CellInput& input, const Queries& queries,
   const AmbientOcclusion& simd = queries.simd;
   std::vector<Method> methods = {
       {kSimdMethod, round_count, batch(simd)},
-      {kSingleMethod, round_count, [receivers, &simd](Masks& masks) { query_singly(simd, receivers, masks); }}};
+      {kSingleMethod, round_count, [receivers, &simd](Masks& masks) { query_singly(simd, receivers, masks); }},
+      {kAroundMethod, round_count, [receivers, &simd](Masks& masks) { query_around(simd, receivers, masks); }}};
   if (with_scalar) methods.push_back({kScalarMethod, 1, batch(queries.scalar)});
   for (const EmbreeMode& mode : all_embree_modes()) {
     methods.push_back({mode.name(), round_count, [receivers, &simd, mode, rival = input.rival](Masks& masks) {

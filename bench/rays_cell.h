@@ -16,6 +16,7 @@ namespace lkao::bench {
 // Method names of lkao; Embree's are those of EmbreeMode.
 inline constexpr const char* kSimdMethod = "lkao_simd";      // batches
 inline constexpr const char* kSingleMethod = "lkao_single";  // the same kernel, one receiver a call
+inline constexpr const char* kAroundMethod = "lkao_around";  // the same, from a Neighbourhood of 64 receivers
 inline constexpr const char* kScalarMethod = "lkao_scalar";
 
 // Groups of cells: whether rays end inside the scene.
@@ -44,6 +45,7 @@ struct Cell {
 
   const MethodResult& simd() const { return results[0]; }
   const MethodResult& single() const { return results[1]; }
+  const MethodResult& around() const { return results[2]; }
   // Null where it was not measured.
   const MethodResult* scalar() const;
   const MethodResult& best_embree() const;
@@ -64,8 +66,9 @@ struct MeasureOptions {
 };
 
 // A copy of `question` with results for each number of threads. All methods are measured in turn, round after round,
-// each round beginning with another method. With `with_scalar`, the first cell has the scalar kernel too, in the first
-// round only: it knows no instruction sets, and takes long. Leaves the cell's instruction set forced.
+// each answer the second time it is given, when the caches hold what the method needs. With `with_scalar`, the first
+// cell has the scalar kernel too, in the first round only: it knows no instruction sets, and takes long. Leaves the
+// cell's instruction set forced.
 std::vector<Cell> measure(const CellInput& input, const MeasureOptions& options, const Cell& question,
                           bool with_scalar);
 

@@ -16,9 +16,12 @@ using Cells = std::vector<Cell>;
 
 double ratio_best(const Cell& cell) { return speed_ratio(cell.simd(), cell.best_embree()); }
 double ratio_single(const Cell& cell) { return speed_ratio(cell.single(), cell.best_embree()); }
+double ratio_around(const Cell& cell) { return speed_ratio(cell.around(), cell.best_embree()); }
 double ratio_occluded1(const Cell& cell) { return speed_ratio(cell.simd(), cell.occluded1()); }
 
-double mismatch_rate(const Cell& cell) { return std::max(cell.simd().mismatch_rate, cell.single().mismatch_rate); }
+double mismatch_rate(const Cell& cell) {
+  return std::max({cell.simd().mismatch_rate, cell.single().mismatch_rate, cell.around().mismatch_rate});
+}
 
 template <typename Test>
 Cells select(const Cells& cells, const Test& test) {
@@ -44,9 +47,9 @@ std::string summary_row(const Cells& cells) {
   const Cell& some = cells.front();
   const double most_wrong = mismatch_rate(*std::max_element(
       cells.begin(), cells.end(), [](const Cell& a, const Cell& b) { return mismatch_rate(a) < mismatch_rate(b); }));
-  return fmt::format("{:>8} {:3} {:5} | {:6.2f} {:8.2f} {:11.2f} | {:8.2g} | {:44} | {}\n", some.isa.name,
+  return fmt::format("{:>8} {:3} {:5} | {:6.2f} {:8.2f} {:8.2f} {:11.2f} | {:8.2g} | {:44} | {}\n", some.isa.name,
                      some.thread_count, cells.size(), mean(cells, ratio_best), mean(cells, ratio_single),
-                     mean(cells, ratio_occluded1), most_wrong,
+                     mean(cells, ratio_around), mean(cells, ratio_occluded1), most_wrong,
                      named_ratio(*std::min_element(cells.begin(), cells.end(), is_slower)),
                      named_ratio(*std::max_element(cells.begin(), cells.end(), is_slower)));
 }
@@ -71,9 +74,9 @@ Cells cells_of(const Cells& cells, const std::string& isa, int thread_count) {
 
 std::string group_summary(const std::string& name, const Cells& cells) {
   if (cells.empty()) return {};
-  std::string text =
-      fmt::format("\nGeometric mean of {} cells:\n{:>8} {:>3} {:>5} | {:>6} {:>8} {:>11} | {:>8} | {:44} | {}\n", name,
-                  "isa", "thr", "cells", "x best", "x single", "x Occluded1", "mismatch", "worst cell", "best cell");
+  std::string text = fmt::format(
+      "\nGeometric mean of {} cells:\n{:>8} {:>3} {:>5} | {:>6} {:>8} {:>8} {:>11} | {:>8} | {:44} | {}\n", name, "isa",
+      "thr", "cells", "x best", "x single", "x around", "x Occluded1", "mismatch", "worst cell", "best cell");
   for (const std::string& isa : isas_of(cells)) {
     for (const int count : thread_counts_of(cells)) text += summary_row(cells_of(cells, isa, count));
   }

@@ -140,7 +140,7 @@ TEST_F(RaysCommand, MeasuresEveryMethodInEveryCell) {
   EXPECT_EQ(cells.size(), 2 * 3 * 2 * default_isas().size());  // scenes, radii, samples
   EXPECT_EQ(values_of(rows, "lkao_scalar", &Row::isa).size(), 1u);
   for (const auto& [key, cell] : cells) {
-    EXPECT_EQ(cell.size(), 2 + values_of(cell, "lkao_scalar", &Row::method).size() + kEmbreeModeCount);
+    EXPECT_EQ(cell.size(), 3 + values_of(cell, "lkao_scalar", &Row::method).size() + kEmbreeModeCount);
     EXPECT_EQ(values_of(cell, &Row::method).size(), cell.size());
     expect_consistent(cell);
     expect_right_answers(cell);
@@ -160,7 +160,7 @@ TEST_F(RaysCommand, RadiiReplaceThoseOfTheScene) {
   const std::vector<Row> rows =
       measure({"--scenes", "sphere", "--samples", "64", "--isa", "sse4", "--radius", "0.25,1000,inf,inf"});
   EXPECT_EQ(values_of(rows, &Row::radius), (Strings{"0.25", "1000", "inf"}));
-  EXPECT_EQ(rows.size(), 3u * (3 + kEmbreeModeCount));
+  EXPECT_EQ(rows.size(), 3u * (4 + kEmbreeModeCount));
   for (const Row& row : rows) EXPECT_EQ(row.group, row.radius == "0.25" ? "bounded" : "unbounded");
   expect_right_answers(cells_of(rows).begin()->second);
 }
