@@ -309,12 +309,16 @@ class SimdTraversal {
   RayStream<Parts, kRemembers> stream_;
 };
 
+// A traversal takes some 80 KiB of stack: two of them, made part of one function, would take twice that.
+template <class Parts, bool kRemembers>
+HWY_NOINLINE OcclusionMask traverse(const Layout& layout, const Query& query, const PatternCones& cones) {
+  return SimdTraversal<Parts, kRemembers>(layout, query, cones).run();
+}
+
 template <class Parts>
 OcclusionMask trace(const Layout& layout, const Query& query, const PatternCones& cones) {
-  if (query.memory != nullptr && query.memory->should_guess()) {
-    return SimdTraversal<Parts, true>(layout, query, cones).run();
-  }
-  return SimdTraversal<Parts, false>(layout, query, cones).run();
+  const bool remembers = query.memory != nullptr && query.memory->should_guess();
+  return remembers ? traverse<Parts, true>(layout, query, cones) : traverse<Parts, false>(layout, query, cones);
 }
 
 OcclusionMask trace_simd(const Layout& layout, const Query& query, const PatternCones& cones) {

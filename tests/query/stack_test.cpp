@@ -20,7 +20,8 @@
 namespace lkao {
 namespace {
 
-constexpr std::size_t kGranted = 128 << 10;
+// For the 12 levels of a hierarchy; those below have 7.
+constexpr std::size_t kGranted = (120 + 12 * 5 / 2) << 10;
 // For the thread itself: its own data, and what runs below the query.
 constexpr std::size_t kOfTheThread = 32 << 10;
 
