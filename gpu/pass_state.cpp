@@ -8,6 +8,7 @@
 #include "gpu/self_test.h"
 #include "gpu/view.h"
 #include "lut/random.h"
+#include "lut/ray_options.h"
 
 namespace lkao::gl {
 namespace {
@@ -63,10 +64,9 @@ void OcclusionPass::State::set_uniforms(const GBuffer& g_buffer, const Camera& c
   table->set_uniforms(uniforms);
   uniforms.lengths.x = radius;
   uniforms.lengths.y = raster.billboard_threshold;
-  uniforms.lengths.z = options.surface_offset * 0x1p-24f;
-  // Never more tilt than would bring the lowest ray to the horizon, as the CPU's query has it.
+  uniforms.lengths.z = lut::relative_surface_offset(options);
   uniforms.jitter.x = options.jitter.rotation;
-  uniforms.jitter.y = std::min(options.jitter.tilt, 0.9f * table->lowest_elevation());
+  uniforms.jitter.y = lut::largest_tilt(options.jitter, table->lowest_elevation());
   const std::uint64_t seed = lut::mix_bits(options.seed);
   uniforms.flags.z = static_cast<std::uint32_t>(seed);
   uniforms.flags.w = static_cast<std::uint32_t>(seed >> 32);

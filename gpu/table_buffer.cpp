@@ -3,23 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
 #include <stdexcept>
 #include <vector>
 
-#include <glm/geometric.hpp>
-
 #include "gpu/gl_error.h"
 #include "gpu/shaders/constants.h"
+#include "lut/plane_cells.h"
 
 namespace lkao::gl {
 namespace {
-
-// Cells along the side of a cube map of so many cells.
-std::uint32_t side_of(std::uint32_t cell_count) {
-  return static_cast<std::uint32_t>(std::lround(std::sqrt(cell_count / 6.0)));
-}
 
 constexpr std::size_t kTexelWords = 2;  // 64-bit words of a texel
 
@@ -36,19 +29,11 @@ TableBuffer::TableBuffer(const PlaneMaskTable& table)
   upload_pattern(table.pattern());
 }
 
-// The sizes of the maps, read off the addresses of the first cells of the first and the last slice.
 void TableBuffer::find_cells(const PlaneMaskTable& table) {
-  if (is_cube_) {
-    cells_.x = static_cast<std::uint32_t>(table.options().resolution);
-    return;
-  }
-  const glm::vec3 first = glm::normalize(glm::vec3(1, -1, -1));
-  const std::uint32_t edge_cell_count = table.cell(first, 0.0f);
-  const std::uint32_t slice_cell_count = table.cell_count() - table.cell(first, 1.0f);
-  const std::uint32_t slice_count = (table.cell_count() - edge_cell_count) / slice_cell_count;
-  cells_ = {static_cast<std::uint32_t>(table.options().resolution), side_of(edge_cell_count), side_of(slice_cell_count),
-            slice_count};
-  cell_offsets_ = {edge_cell_count, slice_cell_count, 0, 0};
+  const PlaneMaskTableOptions& options = table.options();
+  const lut::PlaneCells cells(options.addressing, options.resolution);
+  cells_ = {static_cast<std::uint32_t>(options.resolution), cells.edge_side(), cells.slice_side(), cells.slice_count()};
+  cell_offsets_ = {6 * cells_.y * cells_.y, 6 * cells_.z * cells_.z, 0, 0};
 }
 
 void TableBuffer::add_directions() {

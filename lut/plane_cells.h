@@ -92,6 +92,11 @@ class PlaneCells {
   }
 
   std::uint32_t cell_count() const { return cell_count_; }
+  // With PlaneAddressing::slices: cells along a side of the map of edges and of the map of each slice, and the number
+  // of slices; the maps lie one behind the other, that of edges first. 0 with PlaneAddressing::cube.
+  std::uint32_t edge_side() const { return edge_side_; }
+  std::uint32_t slice_side() const { return slice_side_; }
+  std::uint32_t slice_count() const { return slice_count_; }
   // The planes of a cell.
   PlaneCell geometry(std::uint32_t cell) const;
 

@@ -1,6 +1,8 @@
 // RayOptions checked: one place for the query and the OpenGL passes.
 #pragma once
 
+#include <algorithm>
+
 #include "lkao/receiver.h"
 
 namespace lkao::lut {
@@ -10,5 +12,14 @@ void require(bool condition, const char* option, const char* range, double value
 
 // Throws the same where an option is out of its range.
 void check(const RayOptions& options);
+
+// How far rays start off the surface, in units of the largest coordinate in play (RayOptions::surface_offset).
+inline float relative_surface_offset(const RayOptions& options) { return options.surface_offset * 0x1p-24f; }
+
+// The largest tilt of a pattern whose lowest ray is at that elevation: a tenth of it stays, so that rounding cannot use
+// it up.
+inline float largest_tilt(const Jitter& jitter, float lowest_elevation) {
+  return std::min(jitter.tilt, 0.9f * lowest_elevation);
+}
 
 }  // namespace lkao::lut

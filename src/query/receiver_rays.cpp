@@ -10,6 +10,7 @@
 
 #include "lut/coordinates.h"
 #include "lut/random.h"
+#include "lut/ray_options.h"
 #include "query/turn_pattern.h"
 
 namespace lkao::query {
@@ -36,7 +37,7 @@ float largest_component(const glm::vec3& v) {
 
 // How far the rays start above the surface.
 float offset_of(const glm::vec3& position, const RayOptions& options, float largest_coordinate) {
-  return options.surface_offset * 0x1p-24f * std::max(largest_component(position), largest_coordinate);
+  return lut::relative_surface_offset(options) * std::max(largest_component(position), largest_coordinate);
 }
 
 }  // namespace
@@ -54,9 +55,8 @@ glm::mat3 jittered_frame(const Receiver& receiver, const Jitter& jitter, float l
                          std::uint64_t index) {
   lut::RandomStream random(lut::mix_bits(seed) ^ index);
   const double turn = random.next_double() * jitter.rotation * 2.0 * std::numbers::pi;
-  // Evenly over the disk of tilts; a tenth of the lowest elevation stays, so that rounding cannot use it up.
-  const double largest_tilt = std::min(jitter.tilt, 0.9f * lowest_elevation);
-  const double tilt = largest_tilt * std::sqrt(random.next_double());
+  // Evenly over the disk of tilts.
+  const double tilt = lut::largest_tilt(jitter, lowest_elevation) * std::sqrt(random.next_double());
   const double tilt_turn = random.next_double() * 2.0 * std::numbers::pi;
 
   const glm::dvec3 normal = unit(receiver.normal);
