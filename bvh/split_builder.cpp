@@ -116,6 +116,7 @@ const BuildTree* SplitBuilder::build_node(const PieceSet& set, int level) {
   PieceSet children[kWidth];
   const int count = split_into_children(set, level, children);
   node->child_count = static_cast<std::uint32_t>(count);
+  std::fill_n(node->children, count, nullptr);
   const auto build_child = [&](int i) {
     node->bounds[i] = bounds_of(children[i].bounds);
     node->children[i] = build_tree(children[i], level + 1);
@@ -126,6 +127,8 @@ const BuildTree* SplitBuilder::build_node(const PieceSet& set, int level) {
   } else {
     for (int i = 0; i < count; ++i) build_child(i);
   }
+  // A loop of TBB that is stopped from outside, by what another branch throws, returns as if it were done.
+  if (std::find(node->children, node->children + count, nullptr) != node->children + count) throw Cancelled();
   node->size = {.node_count = 1};
   for (int i = 0; i < count; ++i) node->size += node->children[i]->size;
   return node;
