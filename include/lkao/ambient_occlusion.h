@@ -96,8 +96,8 @@ class AmbientOcclusion {
                    NodeMasks node_masks = NodeMasks::box_outline);
 
   // One receiver, in the calling thread. `index` with the seed gives the jitter: use the pixel, the vertex
-  // or the sample number. Allocates nothing but the thread's memory of blockers, once. Needs 120 KiB of stack and 2.5 KiB
-  // for each level of the hierarchy (some 10; never more than 64), as all queries in the thread that runs them.
+  // or the sample number. Allocates nothing but the thread's memory of blockers, once. Needs 120 KiB of stack and 2.5
+  // KiB for each level of the hierarchy (some 10; never more than 64), as all queries in the thread that runs them.
   ReceiverOcclusion query(const Receiver& receiver, std::uint64_t index) const;
 
   // The mask alone, for those who count its bits themselves: no bent normal is computed.
