@@ -20,7 +20,6 @@ std::string embree_config(const std::string& isa) {
   if (is_avx512(isa)) return "isa=avx512";
   if (isa == "avx2") return "isa=avx2";
   if (isa == "sse4") return "isa=sse4.2";
-  if (isa == "ssse3" || isa == "sse2") return "isa=sse2";
   return {};
 }
 
