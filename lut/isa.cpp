@@ -63,9 +63,9 @@ void force_isa(const std::string& name) {
 namespace lut {
 
 hwy::ChosenTarget& chosen_target() {
-  static hwy::ChosenTarget target;
-  static const bool is_chosen = (target.Update(hwy::SupportedTargets()), true);
-  static_cast<void>(is_chosen);
+  static struct Target : hwy::ChosenTarget {
+    Target() { Update(hwy::SupportedTargets()); }
+  } target;
   return target;
 }
 

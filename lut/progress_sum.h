@@ -17,9 +17,7 @@ class ProgressSum {
   void add(std::size_t count) {
     if (!progress_ || count == 0) return;
     const std::lock_guard lock(mutex_);
-    if (is_cancelled_) throw Cancelled();
-    done_ += count;
-    is_cancelled_ = !progress_(done_, total_);
+    if (!is_cancelled_) is_cancelled_ = !progress_(done_ += count, total_);
     if (is_cancelled_) throw Cancelled();
   }
 
