@@ -88,7 +88,7 @@ PlaneMaskTable RasterFrames::make_table(PlaneMasks masks) const {
 }
 
 void RasterFrames::start_pass(const FrameSetup& setup, const PlaneMaskTable& table, bool count) {
-  gl::PassSetup pass = setup.pass;
+  gl::MaskPassSetup pass = setup.pass;
   pass.count_fragments = count;
   if (setup.levels != nullptr) {
     rasterizer_.start_pass(pass, setup.levels->mesh, table, setup.levels->ranges);

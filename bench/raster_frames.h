@@ -24,7 +24,7 @@ struct FrameSetup {
   std::string name;
   PlaneMasks masks = PlaneMasks::nearest;
   const lod::RangedMesh* levels = nullptr;  // in place of the scene's mesh
-  gl::PassSetup pass = {};
+  gl::MaskPassSetup pass = {};
   Sidedness sidedness = Sidedness::two_sided;
   gl::RasterOptions raster = {};
 };

@@ -1,13 +1,13 @@
-# cmake -DSOURCE=<folder of shaders> -DEXPANDED=<folder> -DOUTPUT=<file.cpp> -P embed_shaders.cmake
+# cmake -DROOT=<folder of the project> -DEXPANDED=<folder> -DOUTPUT=<file.cpp> -P embed_shaders.cmake
 #
-# Puts the included files into each name.stage.glsl (each once), writes the result to EXPANDED for the validator, and all of
-# them as strings to OUTPUT, so that a program needs no files at run time.
+# Puts the included files into each shader of gpu/ (each once), writes those of a stage, such as gpu/mesh/prism.vert.glsl,
+# to EXPANDED for the validator, and all of them as strings to OUTPUT, so that a program needs no files at run time.
 
 cmake_minimum_required(VERSION 3.25)
 
-# expand(NAME VARIABLE): the text of a shader without #include.
-function(expand NAME VARIABLE)
-  file(READ "${SOURCE}/${NAME}" text)
+# expand(FILE VARIABLE): the text of a shader without #include. Headers of C++, in angle brackets, are left out.
+function(expand FILE VARIABLE)
+  file(READ "${ROOT}/${FILE}" text)
   set(included "")
   while(text MATCHES "(^|\n)(#include \"([^\"]+)\"[^\n]*)")
     set(line "${CMAKE_MATCH_2}")
@@ -15,7 +15,7 @@ function(expand NAME VARIABLE)
     set(part "")
     if(NOT file IN_LIST included)
       list(APPEND included "${file}")
-      file(READ "${SOURCE}/${file}" part)
+      file(READ "${ROOT}/${file}" part)
     endif()
     # The first one only: string(REPLACE) would put the part in as often as it is asked for.
     string(FIND "${text}" "${line}" place)
@@ -25,26 +25,24 @@ function(expand NAME VARIABLE)
     string(SUBSTRING "${text}" ${rest} -1 after)
     set(text "${before}${part}${after}")
   endwhile()
+  string(REGEX REPLACE "\n#include <[^\n]*" "" text "${text}")
   set(${VARIABLE} "${text}" PARENT_SCOPE)
 endfunction()
 
 set(entries "")
-file(GLOB files RELATIVE "${SOURCE}" "${SOURCE}/*.*.glsl")
+file(GLOB_RECURSE files RELATIVE "${ROOT}" "${ROOT}/gpu/*.glsl")
 list(SORT files)
 foreach(file IN LISTS files)
   expand("${file}" text)
-  file(CONFIGURE OUTPUT "${EXPANDED}/${file}" CONTENT "@text@" @ONLY NEWLINE_STYLE UNIX)
-  string(REGEX REPLACE "\\.glsl$" "" name "${file}")
+  string(REGEX REPLACE "^gpu/(.*)\\.glsl$" "\\1" name "${file}")
   string(APPEND entries "    {\"${name}\", R\"GLSL(${text})GLSL\"},\n")
-endforeach()
-# For tests of single functions.
-foreach(file IN ITEMS pass.glsl plane_cells.glsl)
-  expand("${file}" text)
-  string(APPEND entries "    {\"${file}\", R\"GLSL(${text})GLSL\"},\n")
+  if(name MATCHES "\\.")
+    file(CONFIGURE OUTPUT "${EXPANDED}/${name}.glsl" CONTENT "@text@" @ONLY NEWLINE_STYLE UNIX)
+  endif()
 endforeach()
 
 file(WRITE "${OUTPUT}" "// Made by embed_shaders.cmake.
-#include \"gpu/shader_sources.h\"
+#include \"gpu/gl/shader_sources.h\"
 
 #include <stdexcept>
 #include <string>

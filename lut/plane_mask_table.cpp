@@ -6,11 +6,10 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 #include <glm/geometric.hpp>
 
 #include "lut/isa.h"
+#include "lut/parallel.h"
 #include "lut/plane_cells.h"
 #include "lut/plane_mask_fill.h"
 
@@ -30,23 +29,25 @@ lut::RayEnds ends_of(const SamplePattern& pattern) {
   return ends;
 }
 
-std::shared_ptr<const std::uint64_t[]> fill(const lut::RayEnds& ends, const lut::PlaneCells& cells, PlaneMasks masks) {
+std::shared_ptr<const std::uint64_t[]> fill(const lut::RayEnds& ends, const lut::PlaneCells& cells,
+                                            const PlaneMaskTableOptions& options) {
   const auto mask_words = static_cast<std::size_t>(ends.word_count);
-  const std::size_t stride = masks == PlaneMasks::must_may ? 2 * mask_words : mask_words;
+  const std::size_t stride = options.masks == PlaneMasks::must_may ? 2 * mask_words : mask_words;
   // Not made zero first: every used cell is written below, and the others are never looked up.
   std::shared_ptr<std::uint64_t[]> storage(new std::uint64_t[cells.cell_count() * stride]);
-  tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, cells.cell_count(), 4096), [&](const auto& range) {
-    for (std::uint32_t cell = range.begin(); cell < range.end(); ++cell) {
+  const auto fill_part = [&](std::uint32_t first, std::uint32_t last) {
+    for (std::uint32_t cell = first; cell < last; ++cell) {
       const lut::PlaneCell geometry = cells.geometry(cell);
       if (!geometry.is_used) continue;
       std::uint64_t* words = storage.get() + cell * stride;
-      if (masks == PlaneMasks::nearest) {
+      if (options.masks == PlaneMasks::nearest) {
         lut::fill_nearest(ends, geometry, words);
       } else {
         lut::fill_must_may(ends, geometry, words, words + mask_words);
       }
     }
-  });
+  };
+  lut::for_each_part(cells.cell_count(), 4096, options.thread_count, fill_part);
   return storage;
 }
 
@@ -61,10 +62,13 @@ PlaneMaskTable::PlaneMaskTable(SamplePattern pattern, const PlaneMaskTableOption
   if (options.resolution < 32 || options.resolution > 256) {
     throw std::invalid_argument(fmt::format("table resolution must be from 32 to 256, not {}", options.resolution));
   }
+  if (options.thread_count < 0) {
+    throw std::invalid_argument(fmt::format("thread_count must be at least 0, not {}", options.thread_count));
+  }
   lut::obey_isa_environment();
   const auto start = std::chrono::steady_clock::now();
   cells_ = std::make_shared<lut::PlaneCells>(options.addressing, options.resolution);
-  storage_ = fill(ends_of(pattern_), *cells_, options.masks);
+  storage_ = fill(ends_of(pattern_), *cells_, options);
   words_ = storage_.get();
   stride_ = static_cast<std::size_t>(pattern_.word_count()) * (options.masks == PlaneMasks::must_may ? 2 : 1);
   if (!has_full_length(pattern_)) {

@@ -27,6 +27,8 @@ struct PlaneMaskTableOptions {
   int resolution = 128;
   PlaneAddressing addressing = PlaneAddressing::slices;
   PlaneMasks masks = PlaneMasks::must_may;
+  // That build the table; 0: as many as the process may run at once. Changes no bit.
+  int thread_count = 0;
 };
 
 namespace lut {
@@ -44,7 +46,7 @@ class PlaneCells;
 // ray_count / 8 bytes, twice that with must_may, and as much again for `directions()` where ray lengths differ.
 class PlaneMaskTable {
  public:
-  // Builds in parallel, in the TBB arena of the caller. Throws std::invalid_argument for a resolution out of range.
+  // Builds on threads of its own (options.thread_count). Throws std::invalid_argument for an option out of range.
   explicit PlaneMaskTable(SamplePattern pattern, const PlaneMaskTableOptions& options = {});
 
   // Cell of a plane; n is a unit vector, d is clamped to [0, 1].

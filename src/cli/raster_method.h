@@ -72,7 +72,7 @@ class RasterMethod {
   RasterMethod(const RasterMethod&) = delete;
   RasterMethod& operator=(const RasterMethod&) = delete;
 
-  // The pixels of `view`, which `camera` sees, among the occluders of `mesh`; `ranges` as gl::OcclusionPass wants them.
+  // The pixels of `view`, which `camera` sees, among the occluders of `mesh`; `ranges` as gl::MaskPass wants them.
   // Needs the radius of `options`.
   RasterFrame draw(const scene::Mesh& mesh, std::span<const glm::vec2> ranges, const scene::Camera& camera,
                    const scene::ReceiverImage& view, const OcclusionOptions& options, const FrameOptions& wanted);

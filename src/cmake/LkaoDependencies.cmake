@@ -25,9 +25,11 @@ endmacro()
 
 lkao_find(Threads libc6-dev)
 lkao_find(glm libglm-dev CONFIG)
-lkao_find(TBB libtbb-dev CONFIG)
 lkao_find(fmt libfmt-dev CONFIG)
 lkao_find(hwy libhwy-dev CONFIG)
+if(LKAO_BUILD_CPU)
+  lkao_find(TBB libtbb-dev CONFIG)
+endif()
 
 if(LKAO_BUILD_TOOLS OR LKAO_BUILD_GL)
   lkao_find(PkgConfig pkg-config)

@@ -4,24 +4,36 @@ include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 set(lkao_package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/lkao")
 
-install(TARGETS lkao EXPORT lkaoTargets COMPONENT lkao_core INCLUDES DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")
-install(EXPORT lkaoTargets NAMESPACE lkao:: DESTINATION "${lkao_package_dir}" COMPONENT lkao_core)
-install(DIRECTORY "${PROJECT_SOURCE_DIR}/include/lkao" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}" COMPONENT lkao_core
-        FILES_MATCHING PATTERN "*.h" PATTERN "gl.h" EXCLUDE)
+# lkao_install(TARGET SET COMPONENT HEADER ...): one library with its part of the package and its public headers.
+function(lkao_install TARGET SET COMPONENT)
+  install(TARGETS ${TARGET} EXPORT ${SET} COMPONENT ${COMPONENT} INCLUDES DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")
+  install(EXPORT ${SET} NAMESPACE lkao:: DESTINATION "${lkao_package_dir}" COMPONENT ${COMPONENT})
+  install(FILES ${ARGN} DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/lkao" COMPONENT ${COMPONENT})
+endfunction()
+
+# Public headers by the library that they belong to.
+set(lkao_headers "${PROJECT_SOURCE_DIR}/include/lkao")
+file(GLOB lkao_lut_headers CONFIGURE_DEPENDS "${lkao_headers}/*.h")
+set(lkao_cpu_headers "")
+foreach(header IN ITEMS ambient_occlusion kernel lkao neighbourhood occluder_bvh)
+  list(APPEND lkao_cpu_headers "${lkao_headers}/${header}.h")
+endforeach()
+list(REMOVE_ITEM lkao_lut_headers ${lkao_cpu_headers} "${lkao_headers}/gl.h")
+
+lkao_install(lkao_lut lkaoLutTargets lkao_lut ${lkao_lut_headers})
+if(LKAO_BUILD_CPU)
+  lkao_install(lkao lkaoTargets lkao_core ${lkao_cpu_headers})
+endif()
+if(LKAO_BUILD_GL)
+  lkao_install(lkao_gl lkaoGlTargets lkao_gl "${lkao_headers}/gl.h")
+  install(DIRECTORY "${lkao_headers}/gl" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/lkao" COMPONENT lkao_gl)
+endif()
 
 configure_package_config_file("${CMAKE_CURRENT_LIST_DIR}/lkaoConfig.cmake.in" "${PROJECT_BINARY_DIR}/lkaoConfig.cmake"
                               INSTALL_DESTINATION "${lkao_package_dir}")
 write_basic_package_version_file("${PROJECT_BINARY_DIR}/lkaoConfigVersion.cmake" COMPATIBILITY SameMinorVersion)
 install(FILES "${PROJECT_BINARY_DIR}/lkaoConfig.cmake" "${PROJECT_BINARY_DIR}/lkaoConfigVersion.cmake"
-        DESTINATION "${lkao_package_dir}" COMPONENT lkao_core)
-
-# A package component of its own, so that who links lkao::lkao alone needs nothing of OpenGL.
-if(LKAO_BUILD_GL)
-  install(TARGETS lkao_gl EXPORT lkaoGlTargets COMPONENT lkao_gl INCLUDES DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")
-  install(EXPORT lkaoGlTargets NAMESPACE lkao:: DESTINATION "${lkao_package_dir}" COMPONENT lkao_gl)
-  install(FILES "${PROJECT_SOURCE_DIR}/include/lkao/gl.h" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/lkao"
-          COMPONENT lkao_gl)
-endif()
+        DESTINATION "${lkao_package_dir}" COMPONENT lkao_lut)
 
 if(TARGET lkao_cli)
   set(lkao_libraries "$ORIGIN/../${CMAKE_INSTALL_LIBDIR}")

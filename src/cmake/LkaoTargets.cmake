@@ -3,20 +3,28 @@
 # Include roots: "lkao/file.h" is public; "lut/file.h", "bvh/file.h", "gpu/file.h" and "scene/file.h" ... are internal.
 set(lkao_include_roots "${PROJECT_SOURCE_DIR}/include" "${PROJECT_SOURCE_DIR}" "${PROJECT_SOURCE_DIR}/src")
 
+# lkao_public_library(TARGET NAME)
+#   What the libraries that are installed, lkao::NAME, have in common.
+function(lkao_public_library TARGET NAME)
+  target_compile_features(${TARGET} PUBLIC cxx_std_20)
+  target_include_directories(${TARGET} PUBLIC "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>"
+                                       PRIVATE ${lkao_include_roots})
+  set_target_properties(${TARGET} PROPERTIES EXPORT_NAME ${NAME} VERSION ${PROJECT_VERSION} SOVERSION 0)
+endfunction()
+
 # lkao_core_library()
 #   The target lkao, still empty: lkao_core_part adds to it.
 function(lkao_core_library)
   add_library(lkao)
   add_library(lkao::lkao ALIAS lkao)
-  target_compile_features(lkao PUBLIC cxx_std_20)
-  target_include_directories(lkao PUBLIC "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>")
-  target_link_libraries(lkao PUBLIC glm::glm)
-  set_target_properties(lkao PROPERTIES LINKER_LANGUAGE CXX VERSION ${PROJECT_VERSION} SOVERSION 0)
+  lkao_public_library(lkao lkao)
+  target_link_libraries(lkao PUBLIC lkao::lut)
+  set_target_properties(lkao PROPERTIES LINKER_LANGUAGE CXX)
 endfunction()
 
 # lkao_core_part(NAME SOURCES a.cpp ... LINKS x ...)
 #   One floor of the core library, an object library lkao_NAME whose objects go into lkao. LINKS: the lower parts
-#   (lkao_lut ...) it stands on, and external libraries, which lkao then links privately.
+#   (lkao_bvh ...) it stands on, and external libraries, which lkao then links privately.
 function(lkao_core_part NAME)
   cmake_parse_arguments(PARSE_ARGV 1 part "" "" "SOURCES;LINKS")
   add_library(lkao_${NAME} OBJECT ${part_SOURCES})

@@ -1,7 +1,8 @@
 # cmake -DROOT=<source folder> -P check_arrows.cmake
 #
 # Fails, naming each line, where a file includes what lies above it or beside it:
-#   include <- lut <- bvh <- src/query = lkao::lkao        include <- lut <- gpu = lkao::gl
+#   include <- lut <- bvh <- src/query = lkao::lkao
+#   include <- lut <- gpu/gl <- gpu/frame <- gpu/mesh <- gpu/masks, gpu/frame <- gpu/screen: lkao::gl
 #   lkao::lkao <- src/scene <- src/reference, src/lod      src/image <- src/cli -> everything
 #   lkao::gl, src/scene <- src/raster
 

@@ -28,7 +28,7 @@ std::vector<LevelInUse> levels_in_use(const Chain& chain, float radius);
 // Builds a hierarchy for every level in use, for AmbientOcclusion.
 std::vector<OccluderLevel> build_levels(const Chain& chain, float radius);
 
-// All levels in use as one mesh, with [r_min, r_max] of each triangle, for gl::OcclusionPass.
+// All levels in use as one mesh, with [r_min, r_max] of each triangle, for gl::MaskPass.
 struct RangedMesh {
   scene::Mesh mesh;
   std::vector<glm::vec2> ranges;

@@ -29,29 +29,30 @@ void Rasterizer::set_view(const scene::Camera& camera, const scene::ReceiverImag
   camera_ = gl_camera(camera, image.width, image.height);
 }
 
-void Rasterizer::start_pass(const gl::PassSetup& setup, const scene::Mesh& mesh, const PlaneMaskTable& table,
+void Rasterizer::start_pass(const gl::MaskPassSetup& setup, const scene::Mesh& mesh, const PlaneMaskTable& table,
                             std::span<const glm::vec2> ranges) {
   drawn_ = Drawn::nothing;
   pass_.reset();
+  occluders_.reset();
   pass_.emplace(setup);
-  pass_->set_occluders(mesh.positions, mesh.triangles, ranges);
+  occluders_.emplace(mesh.positions, mesh.triangles, ranges);
   pass_->set_table(table);
 }
 
-gl::OcclusionPass& Rasterizer::pass() {
+gl::MaskPass& Rasterizer::pass() {
   require(pass_.has_value(), "no pass: call start_pass() first");
   return *pass_;
 }
 
 double Rasterizer::draw(const RayOptions& options, const gl::RasterOptions& raster, bool with_bent_normals) {
-  gl::OcclusionPass& pass = this->pass();
+  gl::MaskPass& pass = this->pass();
   require(textures_.has_value(), "no view: call set_view() first");
   drawn_ = Drawn::nothing;
   const gl::GBuffer g_buffer = textures_->g_buffer();
   const gl::ResolveTargets targets = textures_->targets(with_bent_normals);
   glFinish();
   const Clock::time_point start = Clock::now();
-  pass.draw(g_buffer, camera_, options, raster);
+  pass.draw(*occluders_, g_buffer, camera_, options, raster);
   pass.resolve(targets);
   glFinish();
   const double seconds = std::chrono::duration<double>(Clock::now() - start).count();

@@ -32,11 +32,11 @@ class Rasterizer {
   void require_size(int width, int height) const;
 
   void set_view(const scene::Camera& camera, const scene::ReceiverImage& image);
-  // A new pass in place of the old one; `ranges` as OcclusionPass::set_occluders() takes them.
-  void start_pass(const gl::PassSetup& setup, const scene::Mesh& mesh, const PlaneMaskTable& table,
+  // A new pass in place of the old one; `ranges` as Occluders takes them.
+  void start_pass(const gl::MaskPassSetup& setup, const scene::Mesh& mesh, const PlaneMaskTable& table,
                   std::span<const glm::vec2> ranges = {});
-  // To change its table or occluders, and to read what the last frame left: masks, fragment counts. Needs start_pass().
-  gl::OcclusionPass& pass();
+  // To change its table, and to read what the last frame left: masks, fragment counts. Needs start_pass().
+  gl::MaskPass& pass();
 
   // One frame, masks and resolve, with nothing else under way; returns its seconds. The first one includes what a
   // driver leaves to the last moment, such as compiling shaders.
@@ -50,7 +50,8 @@ class Rasterizer {
   std::unique_ptr<gl::HeadlessContext> context_;  // first: it outlives what is in it
   gl::Camera camera_;
   std::optional<ViewTextures> textures_;
-  std::optional<gl::OcclusionPass> pass_;
+  std::optional<gl::Occluders> occluders_;
+  std::optional<gl::MaskPass> pass_;
   enum class Drawn { nothing, occlusion, bent_normals_too } drawn_ = Drawn::nothing;
 };
 

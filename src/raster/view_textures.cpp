@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 #include <glm/vec4.hpp>
 
-#include "gpu/gl_error.h"
+#include "gpu/gl/error.h"
 
 namespace lkao::raster {
 namespace {
@@ -77,9 +77,7 @@ gl::GBuffer ViewTextures::g_buffer() const {
 
 gl::ResolveTargets ViewTextures::targets(bool with_bent_normals) {
   if (with_bent_normals && !bent_normals_) bent_normals_ = make_image(GL_RGBA32F, width_, height_);
-  return {.occlusion = occlusion_.name(),
-          .bent_normals = with_bent_normals ? bent_normals_.name() : 0,
-          .background = kNoReceiver};
+  return {.occlusion = {occlusion_.name(), kNoReceiver}, .bent_normals = with_bent_normals ? bent_normals_.name() : 0};
 }
 
 std::vector<float> ViewTextures::read_occlusion() const {

@@ -5,7 +5,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "gpu/gl_objects.h"
+#include "gpu/gl/objects.h"
 #include "lkao/gl.h"
 #include "scene/camera.h"
 

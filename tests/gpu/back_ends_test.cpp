@@ -6,8 +6,9 @@
 #include <vector>
 
 #include "gpu/in_furnished_room.h"
-#include "gpu/self_test.h"
-#include "gpu/state_keeper.h"
+#include "gpu/masks/logic_op_check.h"
+#include "gpu/masks/mask_pass_state.h"
+#include "gpu/mesh/geometry_check.h"
 
 namespace lkao::gl::tests {
 namespace {
@@ -25,7 +26,7 @@ TEST_F(BackEnds, AllCombinationsGiveTheSameMasks) {
     std::vector<std::uint64_t> first[2];
     for (const GeometryBackEnd geometry : {GeometryBackEnd::vertex_pulling, GeometryBackEnd::geometry_shader}) {
       for (const Accumulator accumulator : {Accumulator::logic_op, Accumulator::ssbo}) {
-        OcclusionPass pass = make_pass(mesh_, table, {.geometry = geometry, .accumulator = accumulator});
+        PassOnMesh pass = make_pass(mesh_, table, {.geometry = geometry, .accumulator = accumulator});
         EXPECT_EQ(pass.geometry(), geometry);
         EXPECT_EQ(pass.accumulator(), accumulator);
         for (const bool two_sided : {false, true}) {
@@ -43,7 +44,7 @@ TEST_F(BackEnds, AllCombinationsGiveTheSameMasks) {
 TEST_F(BackEnds, ShapesOnlyBoundTheInfluence) {
   const PlaneMaskTable table(SamplePattern::standard(128), {.resolution = 48, .masks = PlaneMasks::nearest});
   for (const GeometryBackEnd geometry : {GeometryBackEnd::vertex_pulling, GeometryBackEnd::geometry_shader}) {
-    OcclusionPass pass = make_pass(mesh_, table, {.geometry = geometry, .count_fragments = true});
+    PassOnMesh pass = make_pass(mesh_, table, {.geometry = geometry, .count_fragments = true});
     for (const bool two_sided : {false, true}) {
       for (const float radius : {0.02f, 0.3f, 1.5f}) {
         SCOPED_TRACE(testing::Message() << "two-sided " << two_sided << ", radius " << radius);
@@ -72,7 +73,7 @@ TEST_F(BackEnds, ShapesMayHaveMarginsAsLargeAsTheRadius) {
   mesh.triangles.emplace_back(first, first + 1, first + 2);
   const GBufferPass g_buffer(mesh, camera_, kWidth, kHeight);
   const PlaneMaskTable table(SamplePattern::standard(64), {.resolution = 48, .masks = PlaneMasks::nearest});
-  OcclusionPass pass = make_pass(mesh, table);
+  PassOnMesh pass = make_pass(mesh, table);
   std::vector<std::uint64_t> masks[2];
   for (const bool two_sided : {false, true}) {
     for (const float threshold : {0.0f, kInfinity}) {
@@ -88,7 +89,7 @@ TEST_F(BackEnds, ShapesMayHaveMarginsAsLargeAsTheRadius) {
 
 TEST_F(BackEnds, CullsSaveWorkAndChangeNothing) {
   const PlaneMaskTable table(SamplePattern::standard(128), {.resolution = 48, .masks = PlaneMasks::nearest});
-  OcclusionPass pass = make_pass(mesh_, table, {.count_fragments = true});
+  PassOnMesh pass = make_pass(mesh_, table, {.count_fragments = true});
   for (const bool two_sided : {false, true}) {
     Culls culls{false, false, false, false, false};
     const RayOptions options{.radius = 0.6f, .sidedness = sidedness_of(two_sided)};
@@ -115,7 +116,7 @@ TEST_F(BackEnds, CullsSaveWorkAndChangeNothing) {
 
 TEST_F(BackEnds, CullsChangeNoExactMask) {
   const PlaneMaskTable table(SamplePattern::standard(64), {.resolution = 48});
-  OcclusionPass pass = make_pass(mesh_, table);
+  PassOnMesh pass = make_pass(mesh_, table);
   for (const bool two_sided : {false, true}) {
     const auto with = draw(pass, {.radius = 0.6f, .sidedness = sidedness_of(two_sided)});
     const auto without = draw(pass, {.radius = 0.6f, .sidedness = sidedness_of(two_sided)},
@@ -124,8 +125,8 @@ TEST_F(BackEnds, CullsChangeNoExactMask) {
   }
 }
 
-TEST_F(BackEnds, SelfTestsPassHere) {
-  const StateKeeper keeper;
+TEST_F(BackEnds, DriverChecksPassHere) {
+  const StateKeeper keeper(kDrawUse);
   EXPECT_TRUE(logic_op_works());
   EXPECT_TRUE(geometry_works(GeometryBackEnd::vertex_pulling));
   EXPECT_TRUE(geometry_works(GeometryBackEnd::geometry_shader));
@@ -136,18 +137,18 @@ TEST_F(BackEnds, SelfTestsPassHere) {
 
 TEST_F(BackEnds, MovingMeshesAreDrawnWhereTheyAre) {
   const PlaneMaskTable table(SamplePattern::standard(64), {.resolution = 32});
-  OcclusionPass pass = make_pass(mesh_, table);
+  PassOnMesh pass = make_pass(mesh_, table);
   const auto before = draw(pass, {.radius = 0.8f});
   Mesh moved = mesh_;
   for (std::size_t i = 24; i < moved.positions.size(); ++i) moved.positions[i] += glm::vec3(0.2f, 0.1f, 0.3f);
-  pass.update_positions(moved.positions);
+  pass.occluders.update_positions(moved.positions);
   const auto after = draw(pass, {.radius = 0.8f});
   EXPECT_GT(count_differences(before, after), 1000u);
-  OcclusionPass fresh = make_pass(moved, table);
+  PassOnMesh fresh = make_pass(moved, table);
   EXPECT_EQ(count_differences(draw(fresh, {.radius = 0.8f}), after), 0u);
   // By the GPU, and back.
-  glNamedBufferSubData(pass.positions_buffer(), 0, static_cast<GLsizeiptr>(mesh_.positions.size() * sizeof(glm::vec3)),
-                       mesh_.positions.data());
+  glNamedBufferSubData(pass.occluders.positions_buffer(), 0,
+                       static_cast<GLsizeiptr>(mesh_.positions.size() * sizeof(glm::vec3)), mesh_.positions.data());
   EXPECT_EQ(count_differences(draw(pass, {.radius = 0.8f}), before), 0u);
 }
 

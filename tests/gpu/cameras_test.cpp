@@ -47,7 +47,7 @@ std::vector<NamedCamera> all_cameras() {
 class Cameras : public OnSoftware {
  protected:
   // The masks of the last draw against the CPU's at the very same receivers.
-  static void expect_cpu_masks(OcclusionPass& pass, const Mesh& mesh, const SamplePattern& pattern,
+  static void expect_cpu_masks(PassOnMesh& pass, const Mesh& mesh, const SamplePattern& pattern,
                                const RayOptions& options) {
     const OccluderBvh occluders(mesh.view());
     const query::PatternLanes lanes(pattern);
@@ -76,7 +76,7 @@ class Cameras : public OnSoftware {
 TEST_F(Cameras, OfAllKindsGiveTheCpusMasks) {
   const Mesh mesh = furnished_room();
   const PlaneMaskTable table(SamplePattern::standard(64), {.resolution = 32});
-  OcclusionPass pass = make_pass(mesh, table);
+  PassOnMesh pass = make_pass(mesh, table);
   for (const auto& [name, camera] : all_cameras()) {
     const GBufferPass g_buffer(mesh, camera, kWidth, kHeight);
     const auto receivers = g_buffer.receivers();
@@ -110,7 +110,7 @@ TEST_F(Cameras, MayStandInsideOfTheShapes) {
   const GBufferPass g_buffer(mesh, camera, kWidth, kHeight);
   const PlaneMaskTable table(SamplePattern::standard(64), {.resolution = 32});
   for (const GeometryBackEnd geometry : {GeometryBackEnd::vertex_pulling, GeometryBackEnd::geometry_shader}) {
-    OcclusionPass pass = make_pass(mesh, table, {.geometry = geometry});
+    PassOnMesh pass = make_pass(mesh, table, {.geometry = geometry});
     for (const bool two_sided : {true, false}) {
       const RayOptions options{.radius = 9.0f, .sidedness = sidedness_of(two_sided)};
       pass.draw(g_buffer.by_positions(), camera, options, {.billboard_threshold = 100.0f});
@@ -130,7 +130,7 @@ TEST_F(Cameras, MayBeFarFromTheOriginAndInAnyUnit) {
                         glm::perspective(1.2f, kAspect, 0.05f * scale, 50.0f * scale), ClipDepth::minus_one_to_one};
     const GBufferPass g_buffer(mesh, camera, kWidth, kHeight);
     const PlaneMaskTable table(SamplePattern::standard(64), {.resolution = 32});
-    OcclusionPass pass = make_pass(mesh, table);
+    PassOnMesh pass = make_pass(mesh, table);
     const RayOptions options{.radius = 0.7f * scale};
     pass.draw(g_buffer.by_positions(), camera, options);
     expect_cpu_masks(pass, mesh, table.pattern(), options);

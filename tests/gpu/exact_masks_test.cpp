@@ -36,7 +36,7 @@ class ExactMasks : public InFurnishedRoom<kWidth, kHeight> {
 
 TEST_F(ExactMasks, AreTheCpusInFloat) {
   const PlaneMaskTable table(SamplePattern::standard(128), {.resolution = 64});
-  OcclusionPass pass = make_pass(mesh_, table);
+  PassOnMesh pass = make_pass(mesh_, table);
   for (const bool two_sided : {true, false}) {
     for (const float radius : {0.15f, 0.8f, 3.0f}) {
       SCOPED_TRACE(testing::Message() << "two-sided " << two_sided << ", radius " << radius);
@@ -57,7 +57,7 @@ TEST_F(ExactMasks, AreTheCpusInFloat) {
 TEST_F(ExactMasks, AreTheCpusBitForBitInDouble) {
   for (const PlaneAddressing addressing : {PlaneAddressing::slices, PlaneAddressing::cube}) {
     const PlaneMaskTable table(SamplePattern::standard(128), {.resolution = 48, .addressing = addressing});
-    OcclusionPass pass = make_pass(mesh_, table, {.precision = Precision::double_precision});
+    PassOnMesh pass = make_pass(mesh_, table, {.precision = Precision::double_precision});
     const RayOptions options{.radius = 1.0f, .seed = 11};
     pass.draw(g_buffer_->by_positions(), camera_, options);
     const auto expected = cpu_masks(mesh_, g_buffer_->receivers(), table.pattern(), options);
@@ -84,7 +84,7 @@ TEST_F(ExactMasks, FollowFalloffTiltAndGeometricNormals) {
   textures.normals = shading_normals.name();
 
   const PlaneMaskTable table(SamplePattern::standard(128).with_falloff(Falloff::linear()), {.resolution = 64});
-  OcclusionPass pass = make_pass(mesh_, table);
+  PassOnMesh pass = make_pass(mesh_, table);
   const RayOptions options{.radius = 2.5f, .jitter = {0.25f, 0.1f}, .seed = 0x123456789abcdefu};
   pass.draw(textures, camera_, options);
   expect_close(pass.read_masks(), receivers, table.pattern(), options);
@@ -97,7 +97,7 @@ TEST_F(ExactMasks, HaveFrom64To1024Rays) {
     SCOPED_TRACE(ray_count);
     const PlaneMaskTable table(SamplePattern::standard(ray_count), {.resolution = 32});
     for (const Accumulator accumulator : {Accumulator::logic_op, Accumulator::ssbo}) {
-      OcclusionPass pass = make_pass(mesh_, table, {.accumulator = accumulator});
+      PassOnMesh pass = make_pass(mesh_, table, {.accumulator = accumulator});
       const RayOptions options{.radius = 1.0f};
       pass.draw(g_buffer.by_positions(), camera_, options);
       expect_close(pass.read_masks(), g_buffer.receivers(), table.pattern(), options);
@@ -113,7 +113,7 @@ TEST_F(ExactMasks, StandOnTrianglesThatOverlapByThousands) {
   const int width = 48, height = 36;
   const GBufferPass g_buffer(mesh_, camera_, width, height);
   const PlaneMaskTable table(SamplePattern::standard(64), {.resolution = 32});
-  OcclusionPass pass = make_pass(mesh_, table, {.count_fragments = true});
+  PassOnMesh pass = make_pass(mesh_, table, {.count_fragments = true});
   const RayOptions options{.radius = 0.5f};
   pass.draw(g_buffer.by_positions(), camera_, options);
   EXPECT_GT(pass.read_fragment_counts().masks, 50u * width * height);
@@ -123,7 +123,7 @@ TEST_F(ExactMasks, StandOnTrianglesThatOverlapByThousands) {
 TEST_F(ExactMasks, IgnoreTrianglesThatBlockNothing) {
   const GBufferPass g_buffer(mesh_, camera_, 64, 48);
   const PlaneMaskTable table(SamplePattern::standard(64), {.resolution = 32});
-  OcclusionPass pass = make_pass(mesh_, table);
+  PassOnMesh pass = make_pass(mesh_, table);
   const RayOptions options{.radius = 1.0f};
   pass.draw(g_buffer.by_positions(), camera_, options);
   const std::vector<std::uint64_t> expected = pass.read_masks();
@@ -137,7 +137,7 @@ TEST_F(ExactMasks, IgnoreTrianglesThatBlockNothing) {
   for (const glm::uvec3& t : {glm::uvec3(0, 1, 2), {0, 2, 3}, {0, 2, 4}, {0, 2, 5}, {0, 2, 6}}) {
     with_bad.triangles.push_back(t + first);
   }
-  pass.set_occluders(with_bad.positions, with_bad.triangles);
+  pass.occluders = Occluders(with_bad.positions, with_bad.triangles);
   pass.draw(g_buffer.by_positions(), camera_, options);
   EXPECT_EQ(pass.read_masks(), expected);
 }

@@ -4,7 +4,7 @@
 
 #include <glm/gtc/type_ptr.hpp>
 
-#include "gpu/program.h"
+#include "gpu/gl/program.h"
 
 namespace lkao::gl::tests {
 namespace {

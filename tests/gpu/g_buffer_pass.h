@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "gpu/gl_objects.h"
+#include "gpu/gl/objects.h"
 #include "lkao/ambient_occlusion.h"
 #include "lkao/gl.h"
 #include "support/meshes.h"

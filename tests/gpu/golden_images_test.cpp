@@ -136,7 +136,7 @@ TEST(GoldenImages, AreWhatTheQueryAnswers) {
 class GoldenImagesOnSoftware : public OnSoftware {
  protected:
   // What the pass resolves for receivers given as textures.
-  static std::vector<float> draw(OcclusionPass& pass, const std::vector<Receiver>& receivers, const Camera& camera,
+  static std::vector<float> draw(PassOnMesh& pass, const std::vector<Receiver>& receivers, const Camera& camera,
                                  const RayOptions& options) {
     std::vector<glm::vec4> positions, normals;
     for (const Receiver& receiver : receivers) {
@@ -148,7 +148,7 @@ class GoldenImagesOnSoftware : public OnSoftware {
     const Texture target = make_image(GL_R32F, kWidth, kHeight);
     pass.draw({.width = kWidth, .height = kHeight, .positions = position_image.name(), .normals = normal_image.name()},
               camera, options);
-    pass.resolve({.occlusion = target.name()});
+    pass.resolve({.occlusion = {target.name()}});
     std::vector<float> occlusion;
     for (const glm::vec4& pixel : read_image(target.name(), kWidth, kHeight)) occlusion.push_back(pixel.x);
     return occlusion;
@@ -163,12 +163,12 @@ TEST_F(GoldenImagesOnSoftware, AreDrawn) {
     for (const auto& [geometry, accumulator] : {std::pair{GeometryBackEnd::vertex_pulling, Accumulator::logic_op},
                                                 {GeometryBackEnd::geometry_shader, Accumulator::ssbo}}) {
       const PlaneMaskTable exact(golden.pattern, {.resolution = 48});
-      OcclusionPass pass = make_pass(mesh, exact, {.geometry = geometry, .accumulator = accumulator});
+      PassOnMesh pass = make_pass(mesh, exact, {.geometry = geometry, .accumulator = accumulator});
       // A ray of 128 is two steps.
       expect_golden(golden, draw(pass, receivers, camera, golden.options), 0.51, 0.002, 6);
     }
     const PlaneMaskTable nearest(golden.pattern, {.resolution = 128, .masks = PlaneMasks::nearest});
-    OcclusionPass pass = make_pass(mesh, nearest);
+    PassOnMesh pass = make_pass(mesh, nearest);
     expect_golden(golden, draw(pass, receivers, camera, golden.options), 4.51, 0.06, 30);
   }
 }

@@ -26,8 +26,7 @@ class InFurnishedRoom : public OnSoftware {
   void TearDown() override { g_buffer_.reset(); }
 
   // The masks of a frame.
-  std::vector<std::uint64_t> draw(OcclusionPass& pass, const RayOptions& options,
-                                  const RasterOptions& raster = {}) const {
+  std::vector<std::uint64_t> draw(PassOnMesh& pass, const RayOptions& options, const RasterOptions& raster = {}) const {
     pass.draw(g_buffer_->by_positions(), camera_, options, raster);
     return pass.read_masks();
   }

@@ -40,9 +40,9 @@ struct Levels {
   }
 };
 
-OcclusionPass make_pass(const Levels& levels, const PlaneMaskTable& table, const PassSetup& setup = {}) {
-  OcclusionPass pass(setup);
-  pass.set_occluders(levels.mesh.positions, levels.mesh.triangles, levels.ranges);
+PassOnMesh make_pass(const Levels& levels, const PlaneMaskTable& table, const MaskPassSetup& setup = {}) {
+  PassOnMesh pass(setup);
+  pass.occluders = Occluders(levels.mesh.positions, levels.mesh.triangles, levels.ranges);
   pass.set_table(table);
   return pass;
 }
@@ -70,7 +70,7 @@ TEST_F(LevelsInThePass, AreTheCpusBitForBitInDouble) {
   const Levels levels = different_levels();
   for (const Falloff& falloff : {Falloff::constant(), Falloff::linear()}) {
     const PlaneMaskTable table(SamplePattern::standard(128).with_falloff(falloff), {.resolution = 48});
-    OcclusionPass pass = make_pass(levels, table, {.precision = Precision::double_precision});
+    PassOnMesh pass = make_pass(levels, table, {.precision = Precision::double_precision});
     for (const float radius : {0.25f, 0.95f, 2.5f}) {
       const RayOptions options{.radius = radius, .seed = 5};
       const auto expected = levels.cpu_masks(g_buffer_->receivers(), table.pattern(), options);
@@ -85,7 +85,7 @@ TEST_F(LevelsInThePass, AreTheCpusInFloat) {
   const Levels levels = different_levels();
   const PlaneMaskTable table(SamplePattern::standard(128), {.resolution = 64});
   for (const bool two_sided : {true, false}) {
-    OcclusionPass pass = make_pass(levels, table);
+    PassOnMesh pass = make_pass(levels, table);
     const RayOptions options{.radius = 2.5f, .sidedness = sidedness_of(two_sided)};
     const auto expected = levels.cpu_masks(g_buffer_->receivers(), table.pattern(), options);
     const std::uint64_t difference_count = count_differences(draw(pass, options), expected);
@@ -98,7 +98,7 @@ TEST_F(LevelsInThePass, AreTheCpusInFloat) {
 TEST_F(LevelsInThePass, AreNearTheCpusByNearestCells) {
   const Levels levels = different_levels();
   const PlaneMaskTable table(SamplePattern::standard(128), {.resolution = 128, .masks = PlaneMasks::nearest});
-  OcclusionPass pass = make_pass(levels, table);
+  PassOnMesh pass = make_pass(levels, table);
   const RayOptions options{.radius = 2.5f};
   const auto expected = levels.cpu_masks(g_buffer_->receivers(), table.pattern(), options);
   const std::uint64_t difference_count = count_differences(draw(pass, options), expected);
@@ -112,8 +112,8 @@ TEST_F(LevelsInThePass, OfTheSameTrianglesAreTheMasksOfNone) {
   for (const glm::vec2& range : kRanges) levels.add(mesh_, range);
   for (const Falloff& falloff : {Falloff::constant(), Falloff::linear()}) {
     const PlaneMaskTable table(SamplePattern::standard(128).with_falloff(falloff), {.resolution = 48});
-    const PassSetup setup{.precision = Precision::double_precision};
-    OcclusionPass whole = lkao::gl::tests::make_pass(mesh_, table, setup), parts = make_pass(levels, table, setup);
+    const MaskPassSetup setup{.precision = Precision::double_precision};
+    PassOnMesh whole = lkao::gl::tests::make_pass(mesh_, table, setup), parts = make_pass(levels, table, setup);
     const RayOptions options{.radius = 2.5f};
     EXPECT_EQ(draw(parts, options), draw(whole, options)) << falloff.name();
   }
@@ -126,7 +126,7 @@ TEST_F(LevelsInThePass, AreTheSameForAllShapesAndBackEnds) {
   std::vector<std::uint64_t> expected;
   for (const GeometryBackEnd geometry : {GeometryBackEnd::vertex_pulling, GeometryBackEnd::geometry_shader}) {
     for (const Accumulator accumulator : {Accumulator::logic_op, Accumulator::ssbo}) {
-      OcclusionPass pass = make_pass(levels, table, {.geometry = geometry, .accumulator = accumulator});
+      PassOnMesh pass = make_pass(levels, table, {.geometry = geometry, .accumulator = accumulator});
       for (const float threshold : {0.0f, 0.2f, kInfinity}) {
         const auto masks = draw(pass, {.radius = 1.5f}, {.billboard_threshold = threshold});
         if (expected.empty()) expected = masks;
@@ -137,15 +137,15 @@ TEST_F(LevelsInThePass, AreTheSameForAllShapesAndBackEnds) {
 }
 
 TEST_F(LevelsInThePass, RefuseWhatIsNoRange) {
-  OcclusionPass pass;
+  PassOnMesh pass;
   const float nan = std::numeric_limits<float>::quiet_NaN();
   for (const glm::vec2& range : {glm::vec2(1, 1), {2, 1}, {-1, 1}, {nan, 1}, {0, nan}}) {
     std::vector<glm::vec2> ranges(mesh_.triangles.size(), {0, 1});
     ranges[3] = range;
-    EXPECT_THROW(pass.set_occluders(mesh_.positions, mesh_.triangles, ranges), std::invalid_argument);
+    EXPECT_THROW(pass.occluders = Occluders(mesh_.positions, mesh_.triangles, ranges), std::invalid_argument);
   }
   const std::vector<glm::vec2> too_few(mesh_.triangles.size() - 1, {0, 1});
-  EXPECT_THROW(pass.set_occluders(mesh_.positions, mesh_.triangles, too_few), std::invalid_argument);
+  EXPECT_THROW(pass.occluders = Occluders(mesh_.positions, mesh_.triangles, too_few), std::invalid_argument);
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 #include <glm/vec2.hpp>
 
 #include "gpu/in_furnished_room.h"
-#include "gpu/triangle_buffers.h"
+#include "gpu/mesh/mesh_buffers.h"
 #include "lkao/lkao.h"
 
 namespace lkao::gl::tests {
@@ -19,7 +19,7 @@ class ManyTriangles : public InFurnishedRoom<48, 36> {
   void SetUp() override {
     InFurnishedRoom::SetUp();
     if (IsSkipped()) return;
-    const std::size_t capacity = TriangleBuffers::capacity();
+    const std::size_t capacity = MeshBuffers::capacity();
     if (capacity > (std::size_t{1} << 23)) GTEST_SKIP() << "a buffer of this OpenGL takes " << capacity << " triangles";
     triangle_count_ = capacity + capacity / 4;
   }
@@ -37,8 +37,8 @@ class ManyTriangles : public InFurnishedRoom<48, 36> {
 
 TEST_F(ManyTriangles, HaveTheMasksOfTheFewAmongThem) {
   const PlaneMaskTable table(SamplePattern::standard(64), {.resolution = 32});
-  OcclusionPass few = make_pass(mesh_, table), many = make_pass(mesh_, table);
-  many.set_occluders(mesh_.positions, spread_out());
+  PassOnMesh few = make_pass(mesh_, table), many = make_pass(mesh_, table);
+  many.occluders = Occluders(mesh_.positions, spread_out());
   // Prisms and billboards.
   for (const float threshold : {0.0f, 0.4f, 100.0f}) {
     const RayOptions options{.radius = 0.8f, .sidedness = sidedness_of(threshold > 0)};
@@ -50,8 +50,8 @@ TEST_F(ManyTriangles, HaveTheMasksOfTheFewAmongThem) {
   // The positions are one buffer for all.
   std::vector<glm::vec3> moved = mesh_.positions;
   for (glm::vec3& position : moved) position.y += 0.05f;
-  few.update_positions(moved);
-  many.update_positions(moved);
+  few.occluders.update_positions(moved);
+  many.occluders.update_positions(moved);
   EXPECT_EQ(draw(many, {.radius = 0.8f}), draw(few, {.radius = 0.8f}));
 }
 
@@ -63,9 +63,9 @@ TEST_F(ManyTriangles, KeepTheirRanges) {
     few_ranges.push_back(range_of(i));
     many_ranges[place_of(i)] = range_of(i);
   }
-  OcclusionPass few = make_pass(mesh_, table), many = make_pass(mesh_, table);
-  few.set_occluders(mesh_.positions, mesh_.triangles, few_ranges);
-  many.set_occluders(mesh_.positions, spread_out(), many_ranges);
+  PassOnMesh few = make_pass(mesh_, table), many = make_pass(mesh_, table);
+  few.occluders = Occluders(mesh_.positions, mesh_.triangles, few_ranges);
+  many.occluders = Occluders(mesh_.positions, spread_out(), many_ranges);
   EXPECT_EQ(draw(many, {.radius = 0.8f}), draw(few, {.radius = 0.8f}));
 }
 

@@ -80,7 +80,7 @@ TEST_F(NearestMasks, AreTheCpusLookUps) {
   for (const PlaneAddressing addressing : {PlaneAddressing::slices, PlaneAddressing::cube}) {
     const PlaneMaskTable table(SamplePattern::standard(128), {64, addressing, PlaneMasks::nearest});
     for (const Precision precision : {Precision::single_precision, Precision::double_precision}) {
-      OcclusionPass pass = make_pass(mesh_, table, {.precision = precision});
+      PassOnMesh pass = make_pass(mesh_, table, {.precision = precision});
       const bool two_sided = addressing == PlaneAddressing::slices;
       const RayOptions options{.radius = 0.8f, .sidedness = sidedness_of(two_sided), .seed = 5};
       const auto masks = draw(pass, options);
@@ -97,7 +97,7 @@ TEST_F(NearestMasks, AreTheCpusLookUps) {
 
 TEST_F(NearestMasks, AreNearTheExactOnes) {
   const PlaneMaskTable table(SamplePattern::standard(128), {.resolution = 128, .masks = PlaneMasks::nearest});
-  OcclusionPass pass = make_pass(mesh_, table);
+  PassOnMesh pass = make_pass(mesh_, table);
   const RayOptions options{.radius = 0.8f};
   const auto masks = draw(pass, options);
   const auto exact = cpu_masks(mesh_, g_buffer_->receivers(), table.pattern(), options);

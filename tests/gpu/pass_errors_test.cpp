@@ -8,9 +8,9 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "gpu/gl/program.h"
 #include "gpu/on_software.h"
 #include "gpu/pass_scene.h"
-#include "gpu/program.h"
 
 namespace lkao::gl::tests {
 namespace {
@@ -46,7 +46,7 @@ class PassErrors : public OnSoftware {
     }
   }
 
-  static OcclusionPass ready_pass() {
+  static PassOnMesh ready_pass() {
     return make_pass(furnished_room(), PlaneMaskTable(SamplePattern::standard(64), {32, {}, PlaneMasks::nearest}));
   }
 
@@ -55,15 +55,15 @@ class PassErrors : public OnSoftware {
 
 TEST_F(PassErrors, NameTheMissingContext) {
   context_->release();
-  expect_error<std::runtime_error>("no OpenGL context", [] { const OcclusionPass pass; });
+  expect_error<std::runtime_error>("no OpenGL context", [] { const PassOnMesh pass; });
   context_->make_current();
-  OcclusionPass pass = ready_pass();
+  PassOnMesh pass = ready_pass();
   context_->release();
-  expect_error<std::runtime_error>("no OpenGL context", [&] { pass.update_positions({}); });
+  expect_error<std::runtime_error>("no OpenGL context", [&] { pass.occluders.update_positions({}); });
   expect_error<std::runtime_error>("no OpenGL context", [&] { pass.read_masks(); });
   context_->make_current();
   {
-    const OcclusionPass outlives_its_context = ready_pass();
+    const PassOnMesh outlives_its_context = ready_pass();
     context_->release();
   }
   context_->make_current();
@@ -71,7 +71,7 @@ TEST_F(PassErrors, NameTheMissingContext) {
 
 TEST_F(PassErrors, NameTheStepThatIsMissing) {
   const Camera camera = room_camera(kSize, kSize);
-  OcclusionPass pass;
+  PassOnMesh pass;
   expect_error<std::runtime_error>("set_table", [&] { pass.draw(g_buffer(), camera, {.radius = 1.0f}); });
   expect_error<std::runtime_error>("draw()", [&] { pass.resolve({}); });
   expect_error<std::runtime_error>("draw()", [&] { pass.read_masks(); });
@@ -81,7 +81,7 @@ TEST_F(PassErrors, NameTheStepThatIsMissing) {
 }
 
 TEST_F(PassErrors, NameTheOptionOutOfRange) {
-  OcclusionPass pass = ready_pass();
+  PassOnMesh pass = ready_pass();
   const Camera camera = room_camera(kSize, kSize);
   const float nan = std::numeric_limits<float>::quiet_NaN();
   struct Mistake {
@@ -104,7 +104,7 @@ TEST_F(PassErrors, NameTheOptionOutOfRange) {
 }
 
 TEST_F(PassErrors, NameTheTextureAndItsFault) {
-  OcclusionPass pass = ready_pass();
+  PassOnMesh pass = ready_pass();
   const Camera camera = room_camera(kSize, kSize);
   const Texture integers = make_image(GL_RGBA32UI, kSize, kSize), small = make_image(GL_RGBA32F, kSize, kSize - 1);
   const Texture red = make_image(GL_R32F, kSize, kSize), depth = make_image(GL_DEPTH_COMPONENT24, kSize, kSize);
@@ -134,14 +134,14 @@ TEST_F(PassErrors, NameTheTextureAndItsFault) {
   expect("normals", bad);
 
   pass.draw(g_buffer(), camera, {.radius = 1.0f});
-  expect_error<std::invalid_argument>("occlusion", [&] { pass.resolve({.occlusion = small.name()}); });
-  expect_error<std::invalid_argument>("GL_R8", [&] { pass.resolve({.occlusion = integers.name()}); });
+  expect_error<std::invalid_argument>("occlusion", [&] { pass.resolve({.occlusion = {small.name()}}); });
+  expect_error<std::invalid_argument>("GL_R8", [&] { pass.resolve({.occlusion = {integers.name()}}); });
   expect_error<std::invalid_argument>("bent_normals", [&] { pass.resolve({.bent_normals = red.name()}); });
-  EXPECT_NO_THROW(pass.resolve({.occlusion = red.name()}));
+  EXPECT_NO_THROW(pass.resolve({.occlusion = {red.name()}}));
 }
 
 TEST_F(PassErrors, NameTheCamerasFault) {
-  OcclusionPass pass = ready_pass();
+  PassOnMesh pass = ready_pass();
   const Camera good = room_camera(kSize, kSize);
   const auto expect = [&](const char* name, const Camera& camera) {
     expect_error<std::invalid_argument>(name, [&] { pass.draw(g_buffer(), camera, {.radius = 1.0f}); });
@@ -153,17 +153,18 @@ TEST_F(PassErrors, NameTheCamerasFault) {
 }
 
 TEST_F(PassErrors, NameWhatIsWrongWithTheMesh) {
-  OcclusionPass pass = ready_pass();
+  PassOnMesh pass = ready_pass();
   const glm::vec3 positions[] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   const glm::uvec3 triangles[] = {{0, 1, 2}, {0, 3, 1}};
-  expect_error<std::invalid_argument>("triangle 1", [&] { pass.set_occluders(positions, triangles); });
-  expect_error<std::invalid_argument>("positions", [&] { pass.update_positions(positions); });
+  expect_error<std::invalid_argument>("triangle 1", [&] { pass.occluders = Occluders(positions, triangles); });
+  expect_error<std::invalid_argument>("positions", [&] { pass.occluders.update_positions(positions); });
 }
 
 TEST_F(PassErrors, NameAnErrorOfSomebodyElse) {
-  OcclusionPass pass = ready_pass();
+  PassOnMesh pass = ready_pass();
   glEnable(GL_TEXTURE_2D_ARRAY);
-  expect_error<std::runtime_error>("GL_INVALID_ENUM while something before", [&] { pass.update_positions({}); });
+  expect_error<std::runtime_error>("GL_INVALID_ENUM while something before",
+                                   [&] { pass.occluders.update_positions({}); });
   pass.draw(g_buffer(), room_camera(kSize, kSize), {.radius = 1.0f});
   glEnable(GL_TEXTURE_2D_ARRAY);
   expect_error<std::runtime_error>("GL_INVALID_ENUM while something before", [&] { pass.read_masks(); });

@@ -76,9 +76,9 @@ double share_of_equal_pixels(const std::vector<std::uint64_t>& a, const std::vec
   return static_cast<double>(equal_count) / static_cast<double>(pixel_count);
 }
 
-OcclusionPass make_pass(const Mesh& mesh, const PlaneMaskTable& table, const PassSetup& setup) {
-  OcclusionPass pass(setup);
-  pass.set_occluders(mesh.positions, mesh.triangles);
+PassOnMesh make_pass(const Mesh& mesh, const PlaneMaskTable& table, const MaskPassSetup& setup) {
+  PassOnMesh pass(setup);
+  pass.occluders = Occluders(mesh.positions, mesh.triangles);
   pass.set_table(table);
   return pass;
 }

@@ -28,7 +28,18 @@ std::uint64_t count_bits(const std::vector<std::uint64_t>& masks);
 // The share of pixels whose masks are the same in all bits.
 double share_of_equal_pixels(const std::vector<std::uint64_t>& a, const std::vector<std::uint64_t>& b, int word_count);
 
-// A pass with mesh and table, ready to draw.
-OcclusionPass make_pass(const Mesh& mesh, const PlaneMaskTable& table, const PassSetup& setup = {});
+// A pass and what it draws.
+struct PassOnMesh : MaskPass {
+  explicit PassOnMesh(const MaskPassSetup& setup = {}) : MaskPass(setup) {}
+  void draw(const GBuffer& g_buffer, const Camera& camera, const RayOptions& options,
+            const RasterOptions& raster = {}) {
+    MaskPass::draw(occluders, g_buffer, camera, options, raster);
+  }
+
+  Occluders occluders;
+};
+
+// With mesh and table, ready to draw.
+PassOnMesh make_pass(const Mesh& mesh, const PlaneMaskTable& table, const MaskPassSetup& setup = {});
 
 }  // namespace lkao::gl::tests

@@ -7,10 +7,11 @@
 
 #include <glm/geometric.hpp>
 
+#include "gpu/gl/program.h"
+#include "gpu/gl/shader_sources.h"
+#include "gpu/gl/uniform_buffer.h"
+#include "gpu/masks/table_buffer.h"
 #include "gpu/on_software.h"
-#include "gpu/program.h"
-#include "gpu/shader_sources.h"
-#include "gpu/table_buffer.h"
 #include "support/meshes.h"
 
 namespace lkao::gl::tests {
@@ -50,15 +51,15 @@ class PlaneCellsInGlsl : public OnSoftware {
  protected:
   static std::vector<glm::uvec2> run(const TableBuffer& table, const std::vector<glm::vec4>& planes) {
     const std::string text = "#version 450 core\n#define LKAO_CUBE_ADDRESSING " + std::to_string(table.is_cube()) +
-                             "\n" + shader_source("pass.glsl") + shader_source("plane_cells.glsl") + kMain;
+                             "\n" + shader_source("masks/plane_cells") + kMain;
     const ProgramObject program = make_program_of(GL_COMPUTE_SHADER, "the test", text);
-    PassUniforms uniforms;
-    table.set_uniforms(uniforms);
-    const Buffer uniform_buffer = make_buffer(sizeof(uniforms), &uniforms, 0);
+    MaskPassBlock block{};
+    table.describe(block);
+    const UniformBuffer<MaskPassBlock> block_buffer;
     const Buffer plane_buffer = make_buffer(static_cast<GLsizeiptr>(planes.size() * 16), planes.data(), 0);
     const Buffer cell_buffer = make_buffer(static_cast<GLsizeiptr>(planes.size() * 8), nullptr, 0);
     glUseProgram(program.name());
-    glBindBufferBase(GL_UNIFORM_BUFFER, 0, uniform_buffer.name());
+    block_buffer.set_and_bind(block);
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, plane_buffer.name());
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, cell_buffer.name());
     glDispatchCompute(static_cast<GLuint>((planes.size() + 63) / 64), 1, 1);

@@ -50,7 +50,7 @@ class Resolve : public InFurnishedRoom<kWidth, kHeight> {
 TEST_F(Resolve, GivesTheCpusOcclusionInEveryFormat) {
   for (const int ray_count : {64, 128, 256}) {
     const PlaneMaskTable table(SamplePattern::standard(ray_count), {.resolution = 32});
-    OcclusionPass pass = make_pass(mesh_, table);
+    PassOnMesh pass = make_pass(mesh_, table);
     const RayOptions options{.radius = 1.0f};
     pass.draw(g_buffer_->by_positions(), camera_, options);
     query(g_buffer_->receivers(), table.pattern(), options);
@@ -58,7 +58,7 @@ TEST_F(Resolve, GivesTheCpusOcclusionInEveryFormat) {
     for (const auto& [format, rounding] :
          {std::pair{GL_R8, 0.5f / 255}, {GL_R16, 0.5f / 65535}, {GL_R16F, 0x1p-11f}, {GL_R32F, 0.0f}}) {
       const Texture image = make_image(static_cast<GLenum>(format), kWidth, kHeight);
-      pass.resolve({.occlusion = image.name(), .background = 0.25f});
+      pass.resolve({.occlusion = {image.name(), 0.25f}});
       expect_occlusion(image, rounding + 1e-6f, 3 * one_ray + rounding, 0.25f);
     }
   }
@@ -66,13 +66,13 @@ TEST_F(Resolve, GivesTheCpusOcclusionInEveryFormat) {
 
 TEST_F(Resolve, GivesTheCpusBentNormals) {
   const PlaneMaskTable table(SamplePattern::standard(128), {.resolution = 32});
-  OcclusionPass pass = make_pass(mesh_, table);
+  PassOnMesh pass = make_pass(mesh_, table);
   const RayOptions options{.radius = 1.0f};
   pass.draw(g_buffer_->by_positions(), camera_, options);
   query(g_buffer_->receivers(), table.pattern(), options);
   for (const GLenum format : std::initializer_list<GLenum>{GL_RGBA16F, GL_RGBA32F}) {
     const Texture image = make_image(format, kWidth, kHeight), occlusion = make_image(GL_R32F, kWidth, kHeight);
-    pass.resolve({.occlusion = occlusion.name(), .bent_normals = image.name()});
+    pass.resolve({.occlusion = {occlusion.name()}, .bent_normals = image.name()});
     const std::vector<glm::vec4> pixels = read_image(image.name(), kWidth, kHeight);
     std::size_t off_count = 0;
     for (std::size_t i = 0; i < pixels.size(); ++i) {
@@ -99,12 +99,12 @@ TEST_F(Resolve, CountsOnlyTheRaysThatAreCast) {
   textures.geometric_normals = textures.normals;
   textures.normals = normal_image.name();
   const PlaneMaskTable table(SamplePattern::standard(128), {.resolution = 32});
-  OcclusionPass pass = make_pass(mesh_, table);
+  PassOnMesh pass = make_pass(mesh_, table);
   const RayOptions options{.radius = 1.0f};
   pass.draw(textures, camera_, options);
   query(receivers, table.pattern(), options);
   const Texture image = make_image(GL_R32F, kWidth, kHeight);
-  pass.resolve({.occlusion = image.name(), .background = std::numeric_limits<float>::infinity()});
+  pass.resolve({.occlusion = {image.name(), std::numeric_limits<float>::infinity()}});
   const std::vector<glm::vec4> pixels = read_image(image.name(), kWidth, kHeight);
   std::size_t off_count = 0;
   for (std::size_t i = 0; i < pixels.size(); ++i) {
@@ -115,15 +115,15 @@ TEST_F(Resolve, CountsOnlyTheRaysThatAreCast) {
 
 TEST_F(Resolve, OfAnEmptySceneIsOpen) {
   const PlaneMaskTable table(SamplePattern::standard(64), {.resolution = 32});
-  OcclusionPass pass;
+  PassOnMesh pass;
   pass.set_table(table);
   const Texture occlusion = make_image(GL_R32F, kWidth, kHeight), bent = make_image(GL_RGBA32F, kWidth, kHeight);
   for (int i = 0; i < 2; ++i) {
     pass.draw(g_buffer_->by_positions(), camera_, {.radius = 1.0f});
-    pass.resolve({.occlusion = occlusion.name(), .bent_normals = bent.name()});
+    pass.resolve({.occlusion = {occlusion.name()}, .bent_normals = bent.name()});
     EXPECT_EQ(count_bits(pass.read_masks()), 0u);
     for (const glm::vec4& pixel : read_image(occlusion.name(), kWidth, kHeight)) ASSERT_EQ(pixel.x, 0.0f);
-    pass.set_occluders({}, {});
+    pass.occluders = Occluders({}, {});
   }
 }
 
@@ -132,7 +132,7 @@ TEST_F(Resolve, TakesImagesOfOddSizes) {
   // The room without its small things.
   Mesh mesh = mesh_;
   mesh.triangles.resize(12);
-  OcclusionPass pass = make_pass(mesh, table);
+  PassOnMesh pass = make_pass(mesh, table);
   for (const auto& [width, height] : {std::pair{1, 1}, {1023, 767}, {3, 200}, {1, 1}}) {
     const Camera camera = room_camera(width, height);
     const GBufferPass g_buffer(mesh, camera, width, height);
@@ -143,7 +143,7 @@ TEST_F(Resolve, TakesImagesOfOddSizes) {
     const auto expected = cpu_masks(mesh, g_buffer.receivers(), table.pattern(), options);
     EXPECT_LE(count_differences(masks, expected), masks.size() * 64 / 10000);
     const Texture image = make_image(GL_R32F, width, height);
-    pass.resolve({.occlusion = image.name()});
+    pass.resolve({.occlusion = {image.name()}});
     const auto pixels = read_image(image.name(), width, height);
     for (std::size_t i = 0; i < pixels.size(); ++i) {
       ASSERT_FLOAT_EQ(pixels[i].x, static_cast<float>(count_bits({masks[i]})) / 64) << i;

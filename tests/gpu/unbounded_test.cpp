@@ -22,7 +22,7 @@ constexpr float kInfinity = std::numeric_limits<float>::infinity();
 class UnboundedPass : public InFurnishedRoom<kWidth, kHeight> {
  protected:
   // In how many rays the pass and the CPU differ on a mesh, as a camera sees it; each within rounding.
-  std::uint64_t difference_from_cpu(OcclusionPass& pass, const Mesh& mesh, const Camera& camera,
+  std::uint64_t difference_from_cpu(PassOnMesh& pass, const Mesh& mesh, const Camera& camera,
                                     const SamplePattern& pattern, const RayOptions& options) {
     const GBufferPass g_buffer(mesh, camera, kWidth, kHeight);
     pass.draw(g_buffer.by_positions(), camera, options);
@@ -45,7 +45,7 @@ class UnboundedPass : public InFurnishedRoom<kWidth, kHeight> {
 
 TEST_F(UnboundedPass, HasTheCpusMasksInFloat) {
   const PlaneMaskTable table(SamplePattern::standard(128), {.resolution = 64});
-  OcclusionPass pass = make_pass(mesh_, table);
+  PassOnMesh pass = make_pass(mesh_, table);
   for (const bool two_sided : {true, false}) {
     const RayOptions options{.radius = kInfinity,
                              .sidedness = sidedness_of(two_sided),
@@ -58,7 +58,7 @@ TEST_F(UnboundedPass, HasTheCpusMasksInFloat) {
 TEST_F(UnboundedPass, HasTheCpusMasksBitForBitInDouble) {
   for (const PlaneAddressing addressing : {PlaneAddressing::slices, PlaneAddressing::cube}) {
     const PlaneMaskTable table(SamplePattern::standard(64), {.resolution = 48, .addressing = addressing});
-    OcclusionPass pass = make_pass(mesh_, table, {.precision = Precision::double_precision});
+    PassOnMesh pass = make_pass(mesh_, table, {.precision = Precision::double_precision});
     // A frame may differ in its last bit, where two doubles round to float differently.
     EXPECT_LE(difference_from_cpu(pass, mesh_, camera_, table.pattern(), {.radius = kInfinity}), 2u);
   }
@@ -70,7 +70,7 @@ TEST_F(UnboundedPass, SeesTheSceneFromAfarInAnyUnitAndProjection) {
     const glm::vec3 move(3.0f, -20.0f, 7.0f);
     Mesh mesh = mesh_;
     for (glm::vec3& position : mesh.positions) position = scale * (position + move);
-    OcclusionPass pass = make_pass(mesh, table);
+    PassOnMesh pass = make_pass(mesh, table);
     for (const float eye_distance : {0.0f, 40.0f}) {
       const glm::vec3 eye = scale * (glm::vec3(0.3f, 1.9f, 3.4f + eye_distance) + move),
                       target = scale * (glm::vec3(0, 1.3f, -1) + move);
@@ -94,7 +94,7 @@ TEST_F(UnboundedPass, IsTheSameForAllShapesAndBackEnds) {
   std::vector<std::uint64_t> expected;
   for (const GeometryBackEnd geometry : {GeometryBackEnd::vertex_pulling, GeometryBackEnd::geometry_shader}) {
     for (const Accumulator accumulator : {Accumulator::logic_op, Accumulator::ssbo}) {
-      OcclusionPass pass = make_pass(mesh_, table, {.geometry = geometry, .accumulator = accumulator});
+      PassOnMesh pass = make_pass(mesh_, table, {.geometry = geometry, .accumulator = accumulator});
       for (const float threshold : {0.0f, kInfinity}) {
         pass.draw(g_buffer.by_positions(), camera_, {.radius = kInfinity}, {.billboard_threshold = threshold});
         const auto masks = pass.read_masks();
@@ -107,7 +107,7 @@ TEST_F(UnboundedPass, IsTheSameForAllShapesAndBackEnds) {
 
 TEST_F(UnboundedPass, NearestMasksAreNearTheExactOnes) {
   const PlaneMaskTable table(SamplePattern::standard(128), {.resolution = 128, .masks = PlaneMasks::nearest});
-  OcclusionPass pass = make_pass(mesh_, table);
+  PassOnMesh pass = make_pass(mesh_, table);
   const RayOptions options{.radius = kInfinity};
   const auto expected = cpu_masks(mesh_, g_buffer_->receivers(), table.pattern(), options);
   const std::uint64_t difference_count = count_differences(draw(pass, options), expected);
@@ -131,8 +131,8 @@ TEST_F(UnboundedPass, KeepsRangesOfLevels) {
     levels.push_back({OccluderBvh(level.view()), range.x, range.y});
   }
   const PlaneMaskTable table(SamplePattern::standard(64), {.resolution = 32});
-  OcclusionPass pass({.precision = Precision::double_precision});
-  pass.set_occluders(all.positions, all.triangles, triangle_ranges);
+  PassOnMesh pass({.precision = Precision::double_precision});
+  pass.occluders = Occluders(all.positions, all.triangles, triangle_ranges);
   pass.set_table(table);
   const RayOptions options{.radius = kInfinity};
   std::vector<std::uint64_t> expected(std::size_t{kWidth} * kHeight);
@@ -142,21 +142,21 @@ TEST_F(UnboundedPass, KeepsRangesOfLevels) {
 
 TEST_F(UnboundedPass, FollowsAMeshThatMovesAndForgetsTheLastFrame) {
   const PlaneMaskTable table(SamplePattern::standard(64), {.resolution = 32});
-  OcclusionPass pass = make_pass(mesh_, table);
+  PassOnMesh pass = make_pass(mesh_, table);
   const std::vector<std::uint64_t> finite = draw(pass, {.radius = 0.8f}), unbounded = draw(pass, {.radius = kInfinity});
   EXPECT_NE(finite, unbounded);
   Mesh wide = mesh_;
   for (glm::vec3& position : wide.positions) position *= 1000.0f;
-  pass.update_positions(wide.positions);
+  pass.occluders.update_positions(wide.positions);
   draw(pass, {.radius = kInfinity});
-  pass.update_positions(mesh_.positions);
+  pass.occluders.update_positions(mesh_.positions);
   EXPECT_EQ(draw(pass, {.radius = kInfinity}), unbounded);
   EXPECT_EQ(draw(pass, {.radius = 0.8f}), finite);
 }
 
 TEST_F(UnboundedPass, NeedsNeitherOccludersNorReceivers) {
   const PlaneMaskTable table(SamplePattern::standard(64), {.resolution = 32});
-  OcclusionPass empty = make_pass({}, table), pass = make_pass(mesh_, table);
+  PassOnMesh empty = make_pass({}, table), pass = make_pass(mesh_, table);
   EXPECT_EQ(count_bits(draw(empty, {.radius = kInfinity})), 0u);
   const Camera away{glm::lookAt(glm::vec3(0, 0, 100), glm::vec3(0, 0, 200), glm::vec3(0, 1, 0)), camera_.projection};
   const GBufferPass sky(mesh_, away, kWidth, kHeight);
@@ -166,7 +166,7 @@ TEST_F(UnboundedPass, NeedsNeitherOccludersNorReceivers) {
 
 TEST_F(UnboundedPass, RefusesTablesOfRaysOfSeveralLengths) {
   const PlaneMaskTable table(SamplePattern::standard(64).with_falloff(Falloff::linear()), {.resolution = 32});
-  OcclusionPass pass = make_pass(mesh_, table);
+  PassOnMesh pass = make_pass(mesh_, table);
   EXPECT_THROW(draw(pass, {.radius = kInfinity}), std::invalid_argument);
   EXPECT_NO_THROW(draw(pass, {.radius = 1e6f}));
 }

@@ -1,6 +1,6 @@
 # cmake -DVALIDATOR=<glslangValidator> -DSHADERS=<folder of shaders without #include> -P validate_shaders.cmake
 #
-# Lets the reference compiler judge every program that a pass makes, in all variants, without any driver.
+# Lets the reference compiler judge every program that the passes make, in all variants, without any driver.
 
 cmake_minimum_required(VERSION 3.25)
 
@@ -26,14 +26,16 @@ function(validate)
   set(program_count ${program_count} PARENT_SCOPE)
 endfunction()
 
-foreach(name IN ITEMS classify.comp receivers.comp radius.comp cast.comp resolve.comp)
+foreach(name IN ITEMS mesh/classify.comp mesh/radius.comp masks/receivers.comp masks/cast.comp masks/resolve.comp
+                      screen/bilateral.comp)
   validate(NAMES ${name})
 endforeach()
-validate(NAMES screen.vert depth.frag)
-validate(NAMES screen.vert fill.frag)
+validate(NAMES frame/screen.vert masks/depth.frag)
+validate(NAMES frame/screen.vert masks/fill.frag)
 
-foreach(shape IN ITEMS "prism.vert" "billboard.vert" "point.vert;prism.geom" "point.vert;billboard.geom")
-  validate(NAMES ${shape} coverage.frag)
+foreach(shape IN ITEMS "mesh/prism.vert" "mesh/billboard.vert" "mesh/point.vert;mesh/prism.geom"
+                       "mesh/point.vert;mesh/billboard.geom")
+  validate(NAMES ${shape} mesh/coverage.frag)
   foreach(layers IN ITEMS 1 8)
     foreach(variant IN ITEMS "0;0;0;0;0" "0;1;1;1;1" "1;0;0;1;0" "1;1;0;0;1" "1;0;1;0;0" "0;0;1;1;0")
       list(GET variant 0 must_may)
@@ -41,7 +43,7 @@ foreach(shape IN ITEMS "prism.vert" "billboard.vert" "point.vert;prism.geom" "po
       list(GET variant 2 double)
       list(GET variant 3 atomics)
       list(GET variant 4 count)
-      validate(NAMES ${shape} accumulate.frag
+      validate(NAMES ${shape} masks/accumulate.frag
                DEFINES -DLKAO_LAYERS=${layers} -DLKAO_MUST_MAY=${must_may} -DLKAO_CUBE_ADDRESSING=${cube}
                        -DLKAO_DOUBLE=${double} -DLKAO_ATOMICS=${atomics} -DLKAO_COUNT=${count})
     endforeach()

@@ -7,7 +7,7 @@
 
 namespace moving_mesh {
 
-Difference compare_with_query(lkao::gl::OcclusionPass& pass, const lkao::TriangleMesh& mesh,
+Difference compare_with_query(lkao::gl::MaskPass& pass, const lkao::TriangleMesh& mesh,
                               const lkao::SamplePattern& pattern, const lkao::RayOptions& options,
                               std::span<const std::uint8_t> resolved) {
   std::vector<lkao::Receiver> receivers;

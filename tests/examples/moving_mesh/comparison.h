@@ -19,7 +19,7 @@ struct Difference {
 };
 
 // `resolved`: a byte for every pixel of the pass's last draw(), row by row from y = 0.
-Difference compare_with_query(lkao::gl::OcclusionPass& pass, const lkao::TriangleMesh& mesh,
+Difference compare_with_query(lkao::gl::MaskPass& pass, const lkao::TriangleMesh& mesh,
                               const lkao::SamplePattern& pattern, const lkao::RayOptions& options,
                               std::span<const std::uint8_t> resolved);
 

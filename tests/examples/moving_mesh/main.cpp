@@ -110,9 +110,9 @@ void run(const Options& options) {
              height, options.ray_count, options.radius);
 
   const lkao::SamplePattern& pattern = lkao::SamplePattern::standard(options.ray_count);  // lkao
-  lkao::gl::OcclusionPass pass;                                                           // lkao, once
+  lkao::gl::MaskPass pass;                                                                // lkao, once
   pass.set_table(lkao::PlaneMaskTable(pattern, table_options(options)));                  // lkao
-  pass.set_occluders(mesh.positions, mesh.triangles);                                     // lkao, for each mesh
+  lkao::gl::Occluders occluders(mesh.positions, mesh.triangles);                          // lkao, for each mesh
   lkao::RayOptions ray_options;
   ray_options.radius = options.radius;
   // Positions that are found from depths lie a little off their surfaces.
@@ -123,12 +123,13 @@ void run(const Options& options) {
     const lkao::cli::Stopwatch of_all;
     scene.move_to(frame * kSecondsAFrame);
     renderer.draw_g_buffer(mesh.positions, lkao::scene::vertex_normals(mesh));
-    pass.update_positions(mesh.positions);  // lkao
+    occluders.update_positions(mesh.positions);  // lkao
     glFinish();
     const lkao::cli::Stopwatch of_occlusion;
-    pass.draw({.width = width, .height = height, .depth = renderer.depth(), .normals = renderer.normals()},  // lkao
+    pass.draw(occluders,                                                                                     // lkao
+              {.width = width, .height = height, .depth = renderer.depth(), .normals = renderer.normals()},  // lkao
               {renderer.view(), renderer.projection(), lkao::gl::ClipDepth::zero_to_one}, ray_options);      // lkao
-    pass.resolve({.occlusion = renderer.occlusion()});                                                       // lkao
+    pass.resolve({.occlusion = {renderer.occlusion()}});                                                     // lkao
     times.occlusion.push_back(finished_milliseconds(of_occlusion));
     renderer.shade();
     times.all.push_back(finished_milliseconds(of_all));

@@ -1,0 +1,66 @@
+#include "gpu/frame/g_buffer.h"
+
+#include <epoxy/gl.h>
+#include <fmt/format.h>
+
+#include <stdexcept>
+#include <utility>
+
+#include "gpu/frame/limits.h"
+#include "gpu/frame/texture_checks.h"
+#include "gpu/frame/units.h"
+#include "gpu/frame/view.h"
+#include "lut/coordinates.h"
+
+namespace lkao::gl {
+
+static_assert(static_cast<float>(LKAO_LARGEST_COORDINATE) == lut::kLargestCoordinate);
+
+void validate(const GBuffer& g_buffer) {
+  GLint largest = 0;
+  glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
+  const auto [width, height] = std::pair(g_buffer.width, g_buffer.height);
+  if (width < 1 || height < 1 || width > largest || height > largest) {
+    throw std::invalid_argument(
+        fmt::format("the G-buffer's size must be from 1x1 to {0}x{0}, not {1}x{2}", largest, width, height));
+  }
+  const int place_count = (g_buffer.depth != 0) + (g_buffer.linear_depth != 0) + (g_buffer.positions != 0);
+  if (place_count != 1) {
+    throw std::invalid_argument(
+        fmt::format("exactly one of depth, linear_depth and positions must be given, not {}", place_count));
+  }
+  const auto require = [&](const char* name, ObjectName texture, int component_count) {
+    require_readable(name, texture, width, height, component_count);
+  };
+  if (g_buffer.depth != 0) require("depth", g_buffer.depth, 1);
+  if (g_buffer.linear_depth != 0) require("linear_depth", g_buffer.linear_depth, 1);
+  if (g_buffer.positions != 0) require("positions", g_buffer.positions, 3);
+  require("normals", g_buffer.normals, 3);
+  if (g_buffer.geometric_normals != 0) require("geometric_normals", g_buffer.geometric_normals, 3);
+}
+
+ViewBlock make_view_block(const GBuffer& g_buffer, const Camera& camera) {
+  ViewBlock view = make_view_block(camera, g_buffer.width, g_buffer.height);
+  view.place = g_buffer.depth != 0          ? LKAO_PLACE_DEPTH
+               : g_buffer.linear_depth != 0 ? LKAO_PLACE_LINEAR_DEPTH
+                                            : LKAO_PLACE_POSITION;
+  view.has_unorm_normals = is_unorm(g_buffer.normals);
+  view.has_view_space_normals = g_buffer.normal_space == NormalSpace::view;
+  if (g_buffer.geometric_normals != 0) {
+    view.has_geometric_normals = 1;
+    view.has_unorm_geometric_normals = is_unorm(g_buffer.geometric_normals);
+  }
+  return view;
+}
+
+void bind(const GBuffer& g_buffer, const Sampler& plain_sampler) {
+  glBindTextureUnit(LKAO_UNIT_PLACE, g_buffer.depth + g_buffer.linear_depth + g_buffer.positions);
+  glBindTextureUnit(LKAO_UNIT_NORMALS, g_buffer.normals);
+  // Not without one: that would unbind textures of all targets.
+  if (g_buffer.geometric_normals != 0) glBindTextureUnit(LKAO_UNIT_GEOMETRIC_NORMALS, g_buffer.geometric_normals);
+  for (GLuint unit : {LKAO_UNIT_PLACE, LKAO_UNIT_NORMALS, LKAO_UNIT_GEOMETRIC_NORMALS}) {
+    glBindSampler(unit, plain_sampler.name());
+  }
+}
+
+}  // namespace lkao::gl

@@ -1,0 +1,62 @@
+#include "gpu/frame/texture_checks.h"
+
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+namespace lkao::gl {
+namespace {
+
+GLint level_parameter(ObjectName texture, GLenum name) {
+  GLint value = 0;
+  glGetTextureLevelParameteriv(texture, 0, name, &value);
+  return value;
+}
+
+bool is_integer(GLint type) { return type == GL_INT || type == GL_UNSIGNED_INT; }
+
+}  // namespace
+
+void require_size(const char* name, ObjectName texture, int width, int height) {
+  if (glIsTexture(texture) != GL_TRUE) {
+    throw std::invalid_argument(fmt::format("{} is {}, which is no texture of the current context", name, texture));
+  }
+  GLint target = 0;
+  glGetTextureParameteriv(texture, GL_TEXTURE_TARGET, &target);
+  if (target != GL_TEXTURE_2D) {
+    throw std::invalid_argument(fmt::format("{} must be a GL_TEXTURE_2D, not a texture of target {:#x}", name, target));
+  }
+  const GLint has_width = level_parameter(texture, GL_TEXTURE_WIDTH);
+  const GLint has_height = level_parameter(texture, GL_TEXTURE_HEIGHT);
+  if (has_width != width || has_height != height) {
+    throw std::invalid_argument(
+        fmt::format("{} must be of {}x{} pixels, not {}x{}", name, width, height, has_width, has_height));
+  }
+}
+
+void require_readable(const char* name, ObjectName texture, int width, int height, int component_count) {
+  require_size(name, texture, width, height);
+  const GLint red = level_parameter(texture, GL_TEXTURE_RED_TYPE);
+  const bool is_depth = level_parameter(texture, GL_TEXTURE_DEPTH_TYPE) != GL_NONE;
+  const bool has_all = level_parameter(texture, GL_TEXTURE_BLUE_TYPE) != GL_NONE || component_count == 1;
+  if (is_integer(red) || (red == GL_NONE && !is_depth) || !has_all) {
+    throw std::invalid_argument(fmt::format("{} must have {} float or normalised components, not the format {:#x}",
+                                            name, component_count, format_of(texture)));
+  }
+}
+
+void require_format(const char* name, ObjectName texture, const char* known, std::initializer_list<GLenum> formats) {
+  const GLenum format = format_of(texture);
+  for (GLenum possible : formats) {
+    if (format == possible) return;
+  }
+  throw std::invalid_argument(fmt::format("{} must have one of the formats {}, not {:#x}", name, known, format));
+}
+
+GLenum format_of(ObjectName texture) {
+  return static_cast<GLenum>(level_parameter(texture, GL_TEXTURE_INTERNAL_FORMAT));
+}
+
+bool is_unorm(ObjectName texture) { return level_parameter(texture, GL_TEXTURE_RED_TYPE) == GL_UNSIGNED_NORMALIZED; }
+
+}  // namespace lkao::gl

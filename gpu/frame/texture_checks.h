@@ -1,0 +1,28 @@
+// Are the caller's textures what they should be? Each throws std::invalid_argument that names the texture and its
+// fault.
+#pragma once
+
+#include <epoxy/gl.h>
+
+#include <initializer_list>
+
+#include "lkao/gl/frame.h"
+
+namespace lkao::gl {
+
+// A GL_TEXTURE_2D of that size.
+void require_size(const char* name, ObjectName texture, int width, int height);
+
+// One that shaders read as floats, with at least so many components.
+void require_readable(const char* name, ObjectName texture, int width, int height, int component_count);
+
+// One of these internal formats; `known` is how the message says them.
+void require_format(const char* name, ObjectName texture, const char* known, std::initializer_list<GLenum> formats);
+
+// The internal format of level 0.
+GLenum format_of(ObjectName texture);
+
+// Unsigned and normalised, so that shaders see 0 to 1.
+bool is_unorm(ObjectName texture);
+
+}  // namespace lkao::gl

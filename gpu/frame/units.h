@@ -1,0 +1,10 @@
+// Texture units of what any pass sees. Compiled as C++ and GLSL: only #define and comments here.
+#ifndef LKAO_GPU_FRAME_UNITS_H
+#define LKAO_GPU_FRAME_UNITS_H
+
+#define LKAO_UNIT_PLACE 0              // 2D: what tells a pixel's position
+#define LKAO_UNIT_NORMALS 1            // 2D: normals of the pixels
+#define LKAO_UNIT_GEOMETRIC_NORMALS 2  // 2D
+#define LKAO_FRAME_UNIT_COUNT 3        // the units of other folders follow
+
+#endif

@@ -1,0 +1,102 @@
+#include "gpu/frame/view.h"
+
+#include <cmath>
+#include <stdexcept>
+
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+
+namespace lkao::gl {
+namespace {
+
+glm::dvec4 row(const glm::dmat4& matrix, int i) { return {matrix[0][i], matrix[1][i], matrix[2][i], matrix[3][i]}; }
+
+bool is_finite(const glm::mat4& matrix) {
+  for (int column = 0; column < 4; ++column) {
+    for (int i = 0; i < 4; ++i) {
+      if (!std::isfinite(matrix[column][i])) return false;
+    }
+  }
+  return true;
+}
+
+void require_rigid(const glm::mat4& view) {
+  const glm::dmat3 turn(view);
+  const glm::dmat3 product = glm::transpose(turn) * turn;
+  double error = 0;
+  for (int column = 0; column < 3; ++column) {
+    for (int i = 0; i < 3; ++i) error = std::fmax(error, std::fabs(product[column][i] - (column == i ? 1 : 0)));
+  }
+  if (!is_finite(view) || error > 1e-3 || row(view, 3) != glm::dvec4(0, 0, 0, 1)) {
+    throw std::invalid_argument("camera.view must be a rigid motion (a rotation and a translation)");
+  }
+}
+
+bool is_perspective(const glm::mat4& projection) {
+  const glm::dvec4 w = row(projection, 3);
+  const bool has_perspective = w == glm::dvec4(0, 0, -1, 0), has_none = w == glm::dvec4(0, 0, 0, 1);
+  const double det = glm::determinant(glm::dmat4(projection));
+  if (!is_finite(projection) || (!has_perspective && !has_none) || det == 0) {
+    throw std::invalid_argument(
+        "camera.projection must be a perspective or an orthographic projection of a camera that looks along -z");
+  }
+  return has_perspective;
+}
+
+// Normalised device depth = z[0] + z[1] along for orthographic, z[0] + z[1] / along for perspective cameras.
+struct DepthMap {
+  double offset, slope;
+};
+
+DepthMap depth_map_of(const glm::mat4& projection, bool has_perspective) {
+  const double a = projection[2][2], b = projection[3][2];
+  return has_perspective ? DepthMap{-a, b} : DepthMap{b, -a};
+}
+
+}  // namespace
+
+ViewBlock make_view_block(const Camera& camera, int width, int height) {
+  require_rigid(camera.view);
+  const bool has_perspective = is_perspective(camera.projection);
+  const DepthMap depth = depth_map_of(camera.projection, has_perspective);
+  const glm::dmat4 view(camera.view), world_from_view = glm::inverse(view);
+
+  ViewBlock block{};
+  block.world_from_clip = glm::inverse(clip_from_world(camera));
+  block.view_from_clip = glm::inverse(glm::dmat4(camera.projection));
+  block.view_from_world = camera.view;
+  // The inverse of a rotation: its rows.
+  for (int i = 0; i < 3; ++i) {
+    block.world_from_normals[i] = glm::vec4(camera.view[0][i], camera.view[1][i], camera.view[2][i], 0);
+  }
+  block.view_depth = glm::vec4(-row(view, 2));
+  block.eye = has_perspective ? glm::vec4(world_from_view[3]) : glm::vec4(-world_from_view[2]);
+  block.width = width;
+  block.height = height;
+  block.is_perspective = has_perspective;
+  block.is_zero_to_one = camera.clip_depth == ClipDepth::zero_to_one;
+  block.is_reversed = has_perspective ? depth.slope > 0 : depth.slope < 0;
+  const double x = 2.0 / (width * glm::length(glm::dvec3(row(camera.projection, 0)) * glm::dvec3(1, 1, 0)));
+  const double y = 2.0 / (height * glm::length(glm::dvec3(row(camera.projection, 1)) * glm::dvec3(1, 1, 0)));
+  block.pixel_size = static_cast<float>(std::fmax(x, y));
+  return block;
+}
+
+glm::dmat4 clip_from_world(const Camera& camera) { return glm::dmat4(camera.projection) * glm::dmat4(camera.view); }
+
+DepthEnds orthographic_depth_ends(const Camera& camera) {
+  const DepthMap depth = depth_map_of(camera.projection, false);
+  const double first = ((camera.clip_depth == ClipDepth::zero_to_one ? 0.0 : -1.0) - depth.offset) / depth.slope;
+  const double second = (1.0 - depth.offset) / depth.slope;
+  return {std::fmin(first, second), std::fmax(first, second)};
+}
+
+bool is_mirrored(const Camera& camera) {
+  const glm::dmat4 view(camera.view), clip = clip_from_world(camera);
+  // Right, up and towards the viewer, as the screen has them.
+  const glm::dmat3 axes(glm::dvec3(row(clip, 0)), glm::dvec3(row(clip, 1)), glm::dvec3(row(view, 2)));
+  return glm::determinant(axes) < 0;
+}
+
+}  // namespace lkao::gl

@@ -1,0 +1,32 @@
+// What is seen: the camera and the G-buffer.
+#ifndef LKAO_GPU_FRAME_VIEW_BLOCK_H
+#define LKAO_GPU_FRAME_VIEW_BLOCK_H
+
+#include "gpu/gl/block.h"
+
+// What tells a pixel's position.
+#define LKAO_PLACE_DEPTH 0
+#define LKAO_PLACE_LINEAR_DEPTH 1
+#define LKAO_PLACE_POSITION 2
+
+LKAO_BLOCK_BEGIN(ViewBlock, LKAO_BLOCK_VIEW)
+dmat4 world_from_clip;
+mat4 view_from_clip;
+mat4 view_from_world;
+mat4 world_from_normals;  // turns the G-buffer's normals; 3 x 3 of it
+vec4 view_depth;          // (x, y, z) . position + w = distance along the view
+vec4 eye;                 // perspective: the eye; orthographic: the direction of view
+int width, height;
+int place;  // LKAO_PLACE_*
+int is_perspective;
+int is_zero_to_one;  // of depth in clip space
+int is_reversed;     // depth falls with the distance
+int has_unorm_normals;
+int has_view_space_normals;
+int has_geometric_normals;
+int has_unorm_geometric_normals;
+float
+    pixel_size;  // world units that a pixel is wide (at distance 1 from a perspective camera), the larger of both axes
+LKAO_BLOCK_END(view)
+
+#endif

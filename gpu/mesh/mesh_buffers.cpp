@@ -1,0 +1,101 @@
+#include "gpu/mesh/mesh_buffers.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "gpu/gl/error.h"
+#include "gpu/mesh/units.h"
+
+namespace lkao::gl {
+namespace {
+
+void require_indices(std::span<const glm::uvec3> triangles, std::size_t position_count) {
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    for (int corner = 0; corner < 3; ++corner) {
+      if (triangles[i][corner] < position_count) continue;
+      throw std::invalid_argument(fmt::format("triangle {} has index {}, but there are only {} positions", i,
+                                              triangles[i][corner], position_count));
+    }
+  }
+}
+
+void require_ranges(std::span<const glm::vec2> ranges, std::size_t triangle_count) {
+  if (!ranges.empty() && ranges.size() != triangle_count) {
+    throw std::invalid_argument(fmt::format("{} ranges for {} triangles", ranges.size(), triangle_count));
+  }
+  for (std::size_t i = 0; i < ranges.size(); ++i) {
+    if (ranges[i].x >= 0 && ranges[i].x < ranges[i].y) continue;
+    throw std::invalid_argument(
+        fmt::format("ranges[{}] must have 0 <= r_min < r_max, not {} and {}", i, ranges[i].x, ranges[i].y));
+  }
+}
+
+std::size_t texture_buffer_size() {
+  GLint texels = 0;
+  glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &texels);
+  return static_cast<std::size_t>(texels);
+}
+
+void require_room(std::size_t position_count) {
+  if (position_count > texture_buffer_size()) {
+    throw std::runtime_error(
+        fmt::format("{} positions, and this OpenGL takes only {}", position_count, texture_buffer_size()));
+  }
+}
+
+template <typename Value>
+Buffer make_buffer_of(std::span<const Value> values, GLbitfield flags = 0) {
+  return make_buffer(static_cast<GLsizeiptr>(values.size_bytes()), values.data(), flags);
+}
+
+}  // namespace
+
+std::size_t MeshBuffers::capacity() {
+  GLint64 block_size = 0;
+  glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &block_size);
+  return std::min(texture_buffer_size() / kFrameTexels, static_cast<std::size_t>(block_size) / (16 * kFrameTexels));
+}
+
+MeshBuffers::MeshBuffers(std::span<const glm::vec3> positions, std::span<const glm::uvec3> triangles,
+                         std::span<const glm::vec2> ranges)
+    : position_count_(positions.size()), has_ranges_(!ranges.empty()) {
+  require_ranges(ranges, triangles.size());
+  require_indices(triangles, positions.size());
+  require_room(positions.size());
+  positions_ = make_buffer_of(positions, GL_DYNAMIC_STORAGE_BIT);
+  positions_texture_ = make_buffer_texture(GL_RGB32F, positions_);
+  for (std::size_t first = 0; first < triangles.size(); first += capacity()) {
+    const std::size_t count = std::min(capacity(), triangles.size() - first);
+    parts_.push_back(make_part(triangles.subspan(first, count), has_ranges_ ? ranges.subspan(first, count) : ranges));
+  }
+  check_errors("copying the occluders");
+}
+
+MeshBuffers::Part MeshBuffers::make_part(std::span<const glm::uvec3> triangles, std::span<const glm::vec2> ranges) {
+  Part part{triangles.size(), make_buffer_of(triangles), make_buffer_of(ranges), {}, {}};
+  part.triangles_texture = make_buffer_texture(GL_RGB32UI, part.triangles);
+  part.ranges_texture = make_buffer_texture(GL_RG32F, part.ranges);
+  return part;
+}
+
+void MeshBuffers::update_positions(std::span<const glm::vec3> positions) {
+  if (positions.size() != position_count_) {
+    throw std::invalid_argument(
+        fmt::format("there are {} positions to update, not {}", position_count_, positions.size()));
+  }
+  if (!positions.empty()) {
+    glNamedBufferSubData(positions_.name(), 0, static_cast<GLsizeiptr>(positions.size_bytes()), positions.data());
+  }
+  check_errors("updating positions");
+}
+
+void MeshBuffers::bind_positions() const { glBindTextureUnit(LKAO_UNIT_POSITIONS, positions_texture_.name()); }
+
+void MeshBuffers::bind_triangles(std::size_t part) const {
+  glBindTextureUnit(LKAO_UNIT_TRIANGLES, parts_[part].triangles_texture.name());
+  glBindTextureUnit(LKAO_UNIT_RANGES, parts_[part].ranges_texture.name());
+}
+
+}  // namespace lkao::gl

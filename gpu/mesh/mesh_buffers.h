@@ -1,0 +1,55 @@
+// A mesh on the GPU: one buffer of positions, and as many of triangles as it fills.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "gpu/gl/objects.h"
+#include "lkao/gl/frame.h"
+
+namespace lkao::gl {
+
+// What a frame finds out about a triangle (LKAO_UNIT_FRAMES), in vectors of four floats: the largest of the buffers
+// that there are for each triangle.
+inline constexpr std::size_t kFrameTexels = 2;
+
+class MeshBuffers {
+ public:
+  // How many triangles this driver's buffers take, with what a frame finds out about each.
+  static std::size_t capacity();
+
+  // As Occluders says it.
+  MeshBuffers(std::span<const glm::vec3> positions, std::span<const glm::uvec3> triangles,
+              std::span<const glm::vec2> ranges);
+
+  void update_positions(std::span<const glm::vec3> positions);
+  ObjectName positions_buffer() const { return positions_.name(); }
+
+  bool has_ranges() const { return has_ranges_; }
+  std::size_t part_count() const { return parts_.size(); }
+  std::size_t triangle_count(std::size_t part) const { return parts_[part].count; }
+
+  // For shaders: the positions, and the triangles of a part with their ranges.
+  void bind_positions() const;
+  void bind_triangles(std::size_t part) const;
+
+ private:
+  struct Part {
+    std::size_t count;
+    Buffer triangles, ranges;
+    Texture triangles_texture, ranges_texture;
+  };
+  static Part make_part(std::span<const glm::uvec3> triangles, std::span<const glm::vec2> ranges);
+
+  std::size_t position_count_;
+  bool has_ranges_;
+  Buffer positions_;
+  Texture positions_texture_;
+  std::vector<Part> parts_;
+};
+
+}  // namespace lkao::gl

@@ -1,0 +1,49 @@
+// Which shape bounds the influence of each triangle, found anew in every frame, and the draws of these shapes.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "gpu/gl/objects.h"
+#include "gpu/mesh/mesh_buffers.h"
+#include "lkao/gl/occluders.h"
+
+namespace lkao::gl {
+
+enum class Shape { prism, billboard };
+
+// Room for what a pass knows of a mesh while it draws; grows with the largest mesh.
+class ShapeLists {
+ public:
+  ShapeLists();
+
+  // Runs the program "mesh/classify.comp" over all triangles. Afterwards shaders may read all of it.
+  void classify(const MeshBuffers& mesh, GLuint program, bool is_two_sided);
+  // With the program for that shape in use, after classify() of the same mesh.
+  void draw(const MeshBuffers& mesh, Shape shape, GeometryBackEnd back_end) const;
+
+ private:
+  // Of one part of a mesh.
+  struct Part {
+    explicit Part(std::size_t triangle_count);
+    void classify(std::size_t triangle_count, bool is_two_sided) const;
+    void bind(Shape shape) const;
+    // All triangles of the list, a point each, or instances of LKAO_BATCH_SIZE of them. For what is bound.
+    void draw_points(Shape shape) const;
+    void draw_batches(Shape shape) const;
+
+    std::size_t capacity;
+    Buffer frames, prisms, billboards, draws;
+    Texture frames_texture, prisms_texture, billboards_texture, draws_texture;
+  };
+  void make_room(const MeshBuffers& mesh);
+
+  Buffer largest_;  // the largest coordinate, the bits of a float
+  Texture largest_texture_;
+  std::vector<Part> parts_;
+  // Of a batch of triangles.
+  Buffer prism_indices_, billboard_indices_;
+  VertexArray no_attributes_, pulled_prisms_, pulled_billboards_;
+};
+
+}  // namespace lkao::gl

@@ -1,0 +1,23 @@
+// The shapes that bound what triangles can darken: their programs and the camera as they see it.
+#pragma once
+
+#include <string>
+
+#include "gpu/gl/program.h"
+#include "gpu/mesh/shapes_block.h"
+#include "lkao/gl/frame.h"
+#include "lkao/gl/occluders.h"
+
+namespace lkao::gl {
+
+struct ShapePrograms {
+  ProgramObject prism, billboard;
+};
+
+// With the fragment shader of that name.
+ShapePrograms make_shape_programs(GeometryBackEnd back_end, const std::string& fragment, const Defines& defines);
+
+// What of the block depends on the camera and the radius: where shapes are on the screen, and their depth (depth.glsl).
+void set_camera(const Camera& camera, float radius, ShapesBlock& block);
+
+}  // namespace lkao::gl

@@ -1,0 +1,18 @@
+// The shapes that bound what triangles can darken.
+#ifndef LKAO_GPU_MESH_SHAPES_BLOCK_H
+#define LKAO_GPU_MESH_SHAPES_BLOCK_H
+
+#include "gpu/gl/block.h"
+
+LKAO_BLOCK_BEGIN(ShapesBlock, LKAO_BLOCK_SHAPES)
+mat4 clip_from_world;           // its z is made for depth_at(), see depth.glsl
+float radius;                   // the AO radius; for an infinite one see extent.glsl
+float billboard_threshold;      // alpha
+float relative_surface_offset;  // of the largest coordinate
+float depth_scale, depth_far;   // see depth.glsl
+int is_two_sided;
+int has_ranges;
+int is_unbounded;  // the AO radius is infinite
+LKAO_BLOCK_END(shapes)
+
+#endif

@@ -1,0 +1,55 @@
+// Smoothing occlusion without crossing edges, for the result of any method.
+#pragma once
+
+#include <memory>
+
+#include "lkao/gl/frame.h"
+
+namespace lkao::gl {
+
+struct BilateralFilterOptions {
+  // Pixels on each side that are averaged, along rows and then along columns; 1 to 16. Weights fall as a Gauss curve
+  // that is a tenth at the last pixel.
+  int radius = 4;
+  // How far from the plane of the pixel in the middle its neighbours may lie, in widths of a pixel there: the weight is
+  // 1 / e at this distance. Above 0.
+  float depth_tolerance = 4;
+  // How sharply normals divide: the weight is max(0, n . n')^sharpness of both unit normals. At least 0; 0: not at all.
+  float normal_sharpness = 8;
+};
+
+// Of a filter, for its life.
+struct BilateralFilterSetup {
+  // As MaskPassSetup has it.
+  bool keep_state = true;
+};
+
+// A separable cross-bilateral filter: a mean over neighbours, weighted by how near they are on the screen, how near
+// they lie to the plane of the pixel in the middle, and how alike their normals are. Pixels without a receiver neither
+// give nor take.
+//
+// Based on: G. Petschnigg et al., "Digital Photography with Flash and No-Flash Image Pairs", SIGGRAPH 2004, Sec. 4.1
+// (joint bilateral filter); T. Pham, L. van Vliet, "Separable Bilateral Filtering for Fast Video Preprocessing",
+// ICME 2005; distances from planes instead of differences of depth, so that slanted surfaces stay whole.
+//
+// Context, state and errors as for MaskPass. Memory: 4 bytes a pixel for the result of the first direction, kept while
+// sizes stay.
+class BilateralFilter {
+ public:
+  explicit BilateralFilter(const BilateralFilterSetup& setup = {});
+  ~BilateralFilter();
+  BilateralFilter(BilateralFilter&&) noexcept;
+  BilateralFilter& operator=(BilateralFilter&&) noexcept;
+
+  // From the red component of `occlusion`, a texture of the G-buffer's size, to `to`; both may be the same texture.
+  // Costs 2 (2 radius + 1) reads of the G-buffer a pixel. Throws std::invalid_argument where a texture or an option is
+  // not what it should be.
+  void filter(const GBuffer& g_buffer, const Camera& camera, ObjectName occlusion, const OcclusionTarget& to,
+              const BilateralFilterOptions& options = {});
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace lkao::gl

@@ -1,0 +1,53 @@
+// What every pass is given: a camera, a G-buffer, and a texture for its occlusion.
+#pragma once
+
+#include <cstdint>
+
+#include <glm/mat4x4.hpp>
+
+namespace lkao::gl {
+
+// A texture, buffer or other object of the current context; 0 where there is none.
+using ObjectName = std::uint32_t;
+
+// What depths the projection makes: glClipControl's GL_NEGATIVE_ONE_TO_ONE (OpenGL's default) or GL_ZERO_TO_ONE.
+enum class ClipDepth { minus_one_to_one, zero_to_one };
+
+// What made the G-buffer. `view` is a rigid motion from world to view space, where the camera looks along -z (as
+// glm::lookAt makes it). `projection` is a perspective (symmetric or not) or an orthographic one; standard and reversed
+// Z, a far plane at infinity, and mirrored axes are all understood from the matrix. Pixel (0, 0) of the textures is at
+// normalised device coordinates (-1, -1).
+struct Camera {
+  glm::mat4 view{1};
+  glm::mat4 projection{1};
+  ClipDepth clip_depth = ClipDepth::minus_one_to_one;
+};
+
+// Which space normals are in.
+enum class NormalSpace { world, view };
+
+// The caller's textures, each GL_TEXTURE_2D of width x height; only read. Exactly one of the first three says where a
+// pixel's receiver is. A pixel has no receiver where its depth is the far end of the depth range, its position is not
+// finite, or its normal is zero or not finite.
+struct GBuffer {
+  int width = 0;
+  int height = 0;
+  ObjectName depth = 0;  // window-space depth of a depth range of 0 to 1: a depth texture, or its copy in a colour one
+  ObjectName linear_depth = 0;  // red: distance along the camera's view direction
+  ObjectName positions = 0;     // world space; must lie at their pixels' centres as the camera sees them
+  // Shading normals of any length. Unsigned normalised formats are taken for n / 2 + 1/2.
+  ObjectName normals = 0;
+  // The side of the surface that a receiver lies on (Receiver::geometric_normal); 0: the same as `normals`.
+  ObjectName geometric_normals = 0;
+  NormalSpace normal_space = NormalSpace::world;
+};
+
+// Where occlusion is written: a texture of the caller, GL_TEXTURE_2D, level 0, of the G-buffer's size, in GL_R8,
+// GL_R16, GL_R16F or GL_R32F.
+struct OcclusionTarget {
+  ObjectName texture = 0;
+  // What is written where there is no receiver.
+  float background = 0;
+};
+
+}  // namespace lkao::gl

@@ -1,0 +1,71 @@
+// C++ and GLSL lay out the uniform blocks in the same way.
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <string>
+
+#include "gpu/frame/view_block.h"
+#include "gpu/gl/program.h"
+#include "gpu/masks/mask_pass_block.h"
+#include "gpu/mesh/shapes_block.h"
+#include "gpu/on_software.h"
+#include "gpu/screen/filter_block.h"
+
+namespace lkao::gl::tests {
+namespace {
+
+GLint value_of(GLuint program, GLenum interface, GLuint index, GLenum property) {
+  GLint value = -1;
+  glGetProgramResourceiv(program, interface, index, 1, &property, 1, nullptr, &value);
+  return value;
+}
+
+// Where the driver has a member of a block, such as "ViewBlock.width"; -1 where no shader reads it.
+GLint offset_of(const ProgramObject& program, const std::string& member) {
+  const GLuint index = glGetProgramResourceIndex(program.name(), GL_UNIFORM, member.c_str());
+  return index == GL_INVALID_INDEX ? -1 : value_of(program.name(), GL_UNIFORM, index, GL_OFFSET);
+}
+
+GLint size_of(const ProgramObject& program, const char* block) {
+  const GLuint index = glGetProgramResourceIndex(program.name(), GL_UNIFORM_BLOCK, block);
+  return index == GL_INVALID_INDEX ? -1 : value_of(program.name(), GL_UNIFORM_BLOCK, index, GL_BUFFER_DATA_SIZE);
+}
+
+class UniformBlocks : public OnSoftware {};
+
+#define LKAO_EXPECT_OFFSET(PROGRAM, BLOCK, MEMBER) \
+  EXPECT_EQ(offset_of(PROGRAM, #BLOCK "." #MEMBER), static_cast<GLint>(offsetof(BLOCK, MEMBER)))
+
+TEST_F(UniformBlocks, AreLaidOutAlike) {
+  const ProgramObject receivers = make_program({"masks/receivers.comp"});
+  EXPECT_EQ(size_of(receivers, "ViewBlock"), static_cast<GLint>(sizeof(ViewBlock)));
+  LKAO_EXPECT_OFFSET(receivers, ViewBlock, world_from_clip);
+  LKAO_EXPECT_OFFSET(receivers, ViewBlock, world_from_normals);
+  LKAO_EXPECT_OFFSET(receivers, ViewBlock, view_depth);
+  LKAO_EXPECT_OFFSET(receivers, ViewBlock, width);
+  LKAO_EXPECT_OFFSET(receivers, ViewBlock, has_unorm_geometric_normals);
+
+  const ProgramObject shapes = make_program({"mesh/prism.vert", "mesh/coverage.frag"});
+  EXPECT_EQ(size_of(shapes, "ShapesBlock"), static_cast<GLint>(sizeof(ShapesBlock)));
+  LKAO_EXPECT_OFFSET(shapes, ShapesBlock, clip_from_world);
+  LKAO_EXPECT_OFFSET(shapes, ShapesBlock, radius);
+  LKAO_EXPECT_OFFSET(shapes, ShapesBlock, depth_far);
+  LKAO_EXPECT_OFFSET(shapes, ShapesBlock, has_ranges);
+  LKAO_EXPECT_OFFSET(shapes, ViewBlock, pixel_size);
+
+  const ProgramObject resolve = make_program({"masks/resolve.comp"});
+  EXPECT_EQ(size_of(resolve, "MaskPassBlock"), static_cast<GLint>(sizeof(MaskPassBlock)));
+  LKAO_EXPECT_OFFSET(resolve, MaskPassBlock, ray_count);
+  LKAO_EXPECT_OFFSET(resolve, MaskPassBlock, jitter_tilt);
+  LKAO_EXPECT_OFFSET(resolve, MaskPassBlock, background);
+
+  const ProgramObject filter = make_program({"screen/bilateral.comp"});
+  EXPECT_EQ(size_of(filter, "FilterBlock"), static_cast<GLint>(sizeof(FilterBlock)));
+  LKAO_EXPECT_OFFSET(filter, FilterBlock, gauss);
+  LKAO_EXPECT_OFFSET(filter, FilterBlock, background);
+  LKAO_EXPECT_OFFSET(filter, ViewBlock, view_from_clip);
+  LKAO_EXPECT_OFFSET(filter, ViewBlock, view_from_world);
+}
+
+}  // namespace
+}  // namespace lkao::gl::tests
