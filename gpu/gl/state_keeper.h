@@ -15,7 +15,7 @@ namespace lkao::gl {
 // What a pass touches. Programs and vertex arrays it may always use.
 struct StateUse {
   std::span<const GLenum> texture_targets = {};  // of the units from 0 on: the one target that is bound there
-  GLuint image_count = 0;                   // units from 0 on, and so below
+  GLuint image_count = 0;                        // units from 0 on, and so below
   GLuint storage_count = 0;
   GLuint block_count = 0;     // uniform buffers
   bool counts = false;        // atomic counter buffer 0

@@ -1,5 +1,5 @@
 #version 450 core
-// For the self-test: how often each pixel is drawn.
+// For the check of the driver: how often each pixel is drawn.
 #include "gpu/frame/view.glsl"
 
 layout(std430, binding = 0) buffer Counts { uint counts[]; };

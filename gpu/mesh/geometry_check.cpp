@@ -82,7 +82,7 @@ GeometryBackEnd choose(GeometryBackEnd wanted) {
   for (GeometryBackEnd back_end : {GeometryBackEnd::vertex_pulling, GeometryBackEnd::geometry_shader}) {
     if (geometry_works(back_end)) return back_end;
   }
-  throw std::runtime_error("this OpenGL passes the self-test of neither geometry back end");
+  throw std::runtime_error("this OpenGL draws shapes without cracks by neither geometry back end");
 }
 
 }  // namespace lkao::gl

@@ -10,8 +10,6 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
-#include <tbb/task_arena.h>
 #include <glm/geometric.hpp>
 
 #include "lkao/isa.h"
@@ -213,11 +211,11 @@ std::vector<std::uint64_t> all_words(const PlaneMaskTable& table) {
 }
 
 // Nearest and must/may with full-length and with shorter rays.
-std::vector<std::uint64_t> words_of_some_tables() {
+std::vector<std::uint64_t> words_of_some_tables(int thread_count = 0) {
   std::vector<std::uint64_t> words;
   for (const PlaneMasks masks : {PlaneMasks::nearest, PlaneMasks::must_may}) {
     const PlaneMaskTable table(SamplePattern::standard(192).with_falloff(Falloff::linear()),
-                               {32, PlaneAddressing::slices, masks});
+                               {32, PlaneAddressing::slices, masks, thread_count});
     for (const PlaneMaskTable* part : {&table, &table.directions()}) {
       const std::vector<std::uint64_t> more = all_words(*part);
       words.insert(words.end(), more.begin(), more.end());
@@ -236,12 +234,7 @@ TEST(PlaneMaskTable, EveryInstructionSetGivesTheSameBits) {
 }
 
 TEST(PlaneMaskTable, AnyNumberOfThreadsGivesTheSameBits) {
-  const auto words = [](int thread_count) {
-    const tbb::global_control workers(tbb::global_control::max_allowed_parallelism,
-                                      static_cast<std::size_t>(thread_count));
-    return tbb::task_arena(thread_count).execute(words_of_some_tables);
-  };
-  EXPECT_EQ(words(1), words(5));
+  EXPECT_EQ(words_of_some_tables(1), words_of_some_tables(5));
 }
 
 TEST(PlaneMaskTable, DirectionsAreTheTableItselfWhereLengthsAreEqual) {
@@ -280,6 +273,11 @@ TEST(PlaneMaskTable, RefusesResolutionsOutOfRange) {
       EXPECT_THAT(error.what(), testing::EndsWith("not " + std::to_string(resolution)));
     }
   }
+}
+
+TEST(PlaneMaskTable, RefusesANegativeNumberOfThreads) {
+  EXPECT_THAT([] { PlaneMaskTable(SamplePattern::standard(64), {.thread_count = -1}); },
+              testing::ThrowsMessage<std::invalid_argument>("thread_count must be at least 0, not -1"));
 }
 
 }  // namespace

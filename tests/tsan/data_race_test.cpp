@@ -111,6 +111,11 @@ TEST_P(DataRace, OneObjectAnswersManyThreadsAtOnce) {
   EXPECT_EQ(mismatch_counts, std::vector<std::size_t>(kThreadCount, 0));
 }
 
+TEST(DataRaceTable, IsBuiltOnSeveralThreads) {
+  const PlaneMaskTable table(SamplePattern::standard(64), {.resolution = 32, .thread_count = 4});
+  EXPECT_GT(table.cell_count(), 0u);
+}
+
 TEST(DataRacePattern, StandardIsMadeOnceForAllThreads) {
   std::vector<const glm::vec3*> directions(kThreadCount);
   std::vector<std::thread> threads;

@@ -6,8 +6,7 @@
 // and shades with it. The context has no window; an engine has its own, and needs none of HeadlessContext.
 #include <epoxy/gl.h>
 #include <fmt/format.h>
-#include <lkao/gl.h>    // lkao
-#include <lkao/lkao.h>  // lkao
+#include <lkao/gl.h>  // lkao
 
 #include <algorithm>
 #include <cstdio>
