@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <stdexcept>
-#include <utility>
 
 #include "gpu/frame/limits.h"
 #include "gpu/frame/texture_checks.h"
@@ -19,7 +18,7 @@ static_assert(static_cast<float>(LKAO_LARGEST_COORDINATE) == lut::kLargestCoordi
 void validate(const GBuffer& g_buffer) {
   GLint largest = 0;
   glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
-  const auto [width, height] = std::pair(g_buffer.width, g_buffer.height);
+  const int width = g_buffer.width, height = g_buffer.height;
   if (width < 1 || height < 1 || width > largest || height > largest) {
     throw std::invalid_argument(
         fmt::format("the G-buffer's size must be from 1x1 to {0}x{0}, not {1}x{2}", largest, width, height));
@@ -58,8 +57,8 @@ void bind(const GBuffer& g_buffer, const Sampler& plain_sampler) {
   glBindTextureUnit(LKAO_UNIT_NORMALS, g_buffer.normals);
   // Not without one: that would unbind textures of all targets.
   if (g_buffer.geometric_normals != 0) glBindTextureUnit(LKAO_UNIT_GEOMETRIC_NORMALS, g_buffer.geometric_normals);
-  for (GLuint unit : {LKAO_UNIT_PLACE, LKAO_UNIT_NORMALS, LKAO_UNIT_GEOMETRIC_NORMALS}) {
-    glBindSampler(unit, plain_sampler.name());
+  for (int unit : {LKAO_UNIT_PLACE, LKAO_UNIT_NORMALS, LKAO_UNIT_GEOMETRIC_NORMALS}) {
+    glBindSampler(static_cast<GLuint>(unit), plain_sampler.name());
   }
 }
 

@@ -23,6 +23,7 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec4.hpp>
 
+// NOLINTBEGIN(bugprone-macro-parentheses): names cannot have any
 #define LKAO_BLOCK_BEGIN(TYPE, BINDING)           \
   namespace lkao::gl {                            \
   struct alignas(16) TYPE {                       \
@@ -35,6 +36,7 @@
   }                          \
   ;                          \
   }
+// NOLINTEND(bugprone-macro-parentheses)
 
 #else
 

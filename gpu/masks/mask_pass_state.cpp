@@ -118,7 +118,9 @@ void MaskPass::State::bind_blocks() const {
   view_buffer.set_and_bind(view);
   shapes_buffer.set_and_bind(shapes_block);
   block_buffer.set_and_bind(block);
-  for (GLuint unit : {LKAO_UNIT_RECEIVERS, LKAO_UNIT_MASKS}) glBindSampler(unit, plain_sampler.name());
+  for (int unit : {LKAO_UNIT_RECEIVERS, LKAO_UNIT_MASKS}) {
+    glBindSampler(static_cast<GLuint>(unit), plain_sampler.name());
+  }
 }
 
 void MaskPass::State::dispatch_over_pixels() const {
