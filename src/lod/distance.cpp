@@ -7,9 +7,9 @@
 
 #include <embree3/rtcore.h>
 #include <fmt/format.h>
-#include <oneapi/tbb/blocked_range.h>
-#include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/task_arena.h>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>

@@ -4,7 +4,7 @@
 #include <array>
 #include <numeric>
 
-#include <oneapi/tbb/parallel_sort.h>
+#include <tbb/parallel_sort.h>
 
 #include "lod/triangle_pairs.h"
 #include "scene/defects.h"

@@ -5,8 +5,8 @@
 #include <stdexcept>
 
 #include <fmt/format.h>
-#include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/partitioner.h>
+#include <tbb/parallel_for.h>
+#include <tbb/partitioner.h>
 
 #include "lod/part_levels.h"
 #include "lod/parts.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include <oneapi/tbb/parallel_sort.h>
+#include <tbb/parallel_sort.h>
 #include <glm/geometric.hpp>
 
 namespace lkao::lod {

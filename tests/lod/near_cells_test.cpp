@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-#include <oneapi/tbb/parallel_for.h>
+#include <tbb/parallel_for.h>
 
 #include "lod/meshes.h"
 

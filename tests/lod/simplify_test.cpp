@@ -7,7 +7,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include <oneapi/tbb/global_control.h>
+#include <tbb/global_control.h>
 
 #include "lod/meshes.h"
 #include "lod/triangle_pairs.h"

@@ -4,8 +4,8 @@
 // where a thread starts and where it is joined. Each test therefore begins without workers and joins them before it
 // reads what they wrote.
 #include <gtest/gtest.h>
-#include <oneapi/tbb/global_control.h>
-#include <oneapi/tbb/task_arena.h>
+#include <tbb/global_control.h>
+#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <cstdint>
