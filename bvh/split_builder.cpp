@@ -84,8 +84,7 @@ const BuildTree& SplitBuilder::build(Pieces pieces, const Progress& progress) {
   pieces_.resize(capacity_for(set.size()));
   set.room_end = pieces_.size();
   lut::ProgressSum sum(progress, set.size_with_room());
-  progress_ = &sum;
-  const BuildTree* const tree = build_tree(set, 0);
+  const BuildTree* const tree = build_tree(set, 0, sum);
   if (!is_worth_a_task(set)) sum.add(set.size_with_room());
   return *tree;
 }
@@ -95,8 +94,8 @@ Tree* SplitBuilder::create() {
   return new (memory_.local().allocate(sizeof(Tree), alignof(Tree))) Tree;
 }
 
-const BuildTree* SplitBuilder::build_tree(const PieceSet& set, int level) {
-  return set.size() <= kLeafWidth ? build_leaf(set) : build_node(set, level);
+const BuildTree* SplitBuilder::build_tree(const PieceSet& set, int level, lut::ProgressSum& sum) {
+  return set.size() <= kLeafWidth ? build_leaf(set) : build_node(set, level, sum);
 }
 
 const BuildTree* SplitBuilder::build_leaf(const PieceSet& set) {
@@ -111,7 +110,7 @@ const BuildTree* SplitBuilder::build_leaf(const PieceSet& set) {
   return leaf;
 }
 
-const BuildTree* SplitBuilder::build_node(const PieceSet& set, int level) {
+const BuildTree* SplitBuilder::build_node(const PieceSet& set, int level, lut::ProgressSum& sum) {
   auto* node = create<BuildNode>();
   PieceSet children[kWidth];
   const int count = split_into_children(set, level, children);
@@ -119,8 +118,8 @@ const BuildTree* SplitBuilder::build_node(const PieceSet& set, int level) {
   std::fill_n(node->children, count, nullptr);
   const auto build_child = [&](int i) {
     node->bounds[i] = bounds_of(children[i].bounds);
-    node->children[i] = build_tree(children[i], level + 1);
-    if (is_worth_a_task(set) && !is_worth_a_task(children[i])) progress_->add(children[i].size_with_room());
+    node->children[i] = build_tree(children[i], level + 1, sum);
+    if (is_worth_a_task(set) && !is_worth_a_task(children[i])) sum.add(children[i].size_with_room());
   };
   if (is_worth_a_task(set)) {
     tbb::parallel_for(0, count, build_child);

@@ -36,9 +36,9 @@ class SplitBuilder {
   const BuildTree& build(Pieces pieces, const Progress& progress = {});
 
  private:
-  const BuildTree* build_tree(const PieceSet& set, int level);
+  const BuildTree* build_tree(const PieceSet& set, int level, lut::ProgressSum& sum);
   const BuildTree* build_leaf(const PieceSet& set);
-  const BuildTree* build_node(const PieceSet& set, int level);
+  const BuildTree* build_node(const PieceSet& set, int level, lut::ProgressSum& sum);
   int split_into_children(const PieceSet& set, int level, PieceSet (&children)[kWidth]);
 
   Halves split(const PieceSet& set, int level);
@@ -57,7 +57,6 @@ class SplitBuilder {
   const TriangleMesh mesh_;
   const bool spatial_splits_;
   Pieces pieces_;
-  lut::ProgressSum* progress_ = nullptr;  // of the build that is under way
   tbb::enumerable_thread_specific<std::pmr::monotonic_buffer_resource> memory_;
 };
 

@@ -1,3 +1,6 @@
+// A point and a box's face are one vector of 4 lanes here, on every processor (lanes.h). Not by Highway, which compiles
+// once for each instruction set and chooses at run time: one cut is some dozen instructions in the middle of the
+// builder, too few to call through a pointer, and wider vectors would have nothing to hold.
 #include "bvh/triangle_clip.h"
 
 #include <limits>
