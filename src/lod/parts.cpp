@@ -165,7 +165,6 @@ SceneParts split_into_parts(const scene::Mesh& mesh) {
   scene.duplicate_count = drop_duplicates(clean.triangles);
 
   const TrianglePairs pairs = pair_triangles(clean.positions, clean.triangles);
-  scene.border_edge_count = pairs.border_edge_count;
   scene.wrong_winding_edge_count = pairs.wrong_winding_count;
   scene.crowded_edge_count = pairs.crowded_edge_count;
   scene.parts = Splitter(clean, pairs).parts();

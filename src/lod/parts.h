@@ -26,7 +26,6 @@ struct SceneParts {
   std::size_t duplicate_count = 0;  // same corners, same winding as an earlier one
 
   // What was not manifold.
-  std::size_t border_edge_count = 0;
   std::size_t wrong_winding_edge_count = 0;
   std::size_t crowded_edge_count = 0;
   std::size_t split_vertex_count = 0;  // vertices that stand for several

@@ -54,9 +54,8 @@ class Pairing {
 
  private:
   void pair_edge(std::span<const EdgeUse> uses) {
-    if (uses.size() == 1) {
-      ++pairs_.border_edge_count;
-    } else if (uses.size() == 2 && uses[0].forward == uses[1].forward) {
+    if (uses.size() == 1) return;
+    if (uses.size() == 2 && uses[0].forward == uses[1].forward) {
       ++pairs_.wrong_winding_count;
     } else if (uses.size() == 2) {
       join(uses[0].half_edge, uses[1].half_edge);

@@ -18,7 +18,6 @@ inline HalfEdge next_in_triangle(HalfEdge edge) { return edge % 3 == 2 ? edge - 
 
 struct TrianglePairs {
   std::vector<HalfEdge> partner;        // of every half-edge; kNoHalfEdge where the surface ends there
-  std::size_t border_edge_count = 0;    // edges of one triangle
   std::size_t wrong_winding_count = 0;  // edges of two triangles that wind in opposite senses: no pair
   std::size_t crowded_edge_count = 0;   // edges of more than two triangles
 };

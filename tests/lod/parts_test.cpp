@@ -36,7 +36,6 @@ TEST(Parts, EqualPositionsAreJoined) {
   ASSERT_EQ(scene.parts.size(), 1u);
   EXPECT_EQ(scene.parts[0].mesh.positions.size(), 4u);
   EXPECT_EQ(scene.positions.size(), 4u);
-  EXPECT_EQ(scene.border_edge_count, 4u);
 }
 
 TEST(Parts, AFloorGoesOnBelowAWall) {
