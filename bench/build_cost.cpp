@@ -1,9 +1,7 @@
 #include "build_cost.h"
 
 #include <atomic>
-#include <cstring>
 #include <ctime>
-#include <span>
 #include <stdexcept>
 #include <utility>
 
@@ -11,7 +9,8 @@
 #include <fmt/format.h>
 
 #include "cli/stopwatch.h"
-#include "reference/embree_scene.h"
+#include "reference/embree_buffers.h"
+#include "scene/embree_handles.h"
 
 namespace lkao::bench {
 namespace {
@@ -28,12 +27,6 @@ void check(RTCDevice device) {
   throw std::runtime_error(fmt::format("Embree gives error {}", static_cast<int>(error)));
 }
 
-template <typename Value>
-void fill_buffer(RTCGeometry geometry, RTCBufferType type, RTCFormat format, std::span<const Value> values) {
-  void* buffer = rtcSetNewGeometryBuffer(geometry, type, 0, format, sizeof(Value), values.size());
-  if (buffer != nullptr && !values.empty()) std::memcpy(buffer, values.data(), values.size_bytes());
-}
-
 // Both kinds of time since it was made.
 class Stopwatches {
  public:
@@ -47,20 +40,20 @@ class Stopwatches {
 
 BuildCost build_embree(const TriangleMesh& mesh, RTCBuildQuality quality) {
   std::atomic<std::ptrdiff_t> bytes = 0;
-  const reference::Device device(rtcNewDevice(nullptr));
+  const scene::embree::Device device(rtcNewDevice(nullptr));
   if (!device) throw std::runtime_error("Embree gives no device");
   rtcSetDeviceMemoryMonitorFunction(device.get(), count_bytes, &bytes);
   const std::ptrdiff_t bytes_before = bytes;
 
   const Stopwatches time;
-  const reference::Geometry geometry(rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_TRIANGLE));
-  fill_buffer(geometry.get(), RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3, mesh.positions);
-  fill_buffer(geometry.get(), RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT3, mesh.triangles);
+  const scene::embree::Geometry geometry(rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_TRIANGLE));
+  reference::fill_positions(geometry.get(), mesh.positions);
+  reference::fill_triangles(geometry.get(), mesh.triangles);
   check(device.get());
   const std::ptrdiff_t buffer_bytes = bytes - bytes_before;
   rtcSetGeometryBuildQuality(geometry.get(), quality);
   rtcCommitGeometry(geometry.get());
-  const reference::Scene scene(rtcNewScene(device.get()));
+  const scene::embree::Scene scene(rtcNewScene(device.get()));
   rtcSetSceneBuildQuality(scene.get(), quality);
   rtcAttachGeometry(scene.get(), geometry.get());
   rtcCommitScene(scene.get());
@@ -74,8 +67,8 @@ BuildCost build_lkao(const TriangleMesh& mesh, bool spatial_splits) {
   OccluderBvh occluders(mesh, {.spatial_splits = spatial_splits});
   const double seconds = time.seconds(), cpu_seconds = time.cpu_seconds();
   const std::size_t memory_bytes = occluders.report().memory_bytes;
-  return {seconds, cpu_seconds, memory_bytes, mesh.positions.size_bytes() + mesh.triangles.size_bytes(),
-          std::move(occluders)};
+  const std::size_t mesh_bytes = mesh.positions.size() * sizeof(glm::vec3) + mesh.triangles.size() * sizeof(glm::uvec3);
+  return {seconds, cpu_seconds, memory_bytes, mesh_bytes, std::move(occluders)};
 }
 
 }  // namespace

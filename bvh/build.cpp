@@ -2,10 +2,8 @@
 
 #include <chrono>
 #include <limits>
-#include <stdexcept>
 #include <utility>
 
-#include <fmt/format.h>
 #include <glm/common.hpp>
 
 #include "bvh/flatten.h"
@@ -19,26 +17,19 @@ namespace {
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 // Sorts the triangles of the mesh into those the builder gets and those that are dropped and counted.
-Pieces collect_occluders(const TriangleMesh& mesh, std::size_t capacity, Layout& layout) {
+Pieces collect_occluders(std::size_t capacity, Layout& layout) {
+  const PackedMesh& mesh = layout.mesh;
   Pieces pieces;
   pieces.reserve(capacity);
-  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-    const glm::uvec3& t = mesh.triangles[i];
-    for (int k = 0; k < 3; ++k) {
-      if (t[k] >= mesh.positions.size()) {
-        throw std::invalid_argument(
-            fmt::format("triangle {} has index {}, but there are {} positions", i, t[k], mesh.positions.size()));
-      }
-    }
-    const glm::vec3 &a = mesh.positions[t.x], &b = mesh.positions[t.y], &c = mesh.positions[t.z];
+  for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
+    const glm::vec3 &a = mesh.corner(i, 0), &b = mesh.corner(i, 1), &c = mesh.corner(i, 2);
     if (!lut::is_in_range(a, b, c)) {
       ++layout.report.non_finite_count;
     } else if (has_zero_area(a, b, c)) {
       ++layout.report.zero_area_count;
     } else {
       const glm::vec3 lower = glm::min(a, glm::min(b, c)), upper = glm::max(a, glm::max(b, c));
-      pieces.emplace_back(Box{{lower.x, lower.y, lower.z, 0}, {upper.x, upper.y, upper.z, 0}},
-                          static_cast<std::uint32_t>(i));
+      pieces.emplace_back(Box{{lower.x, lower.y, lower.z, 0}, {upper.x, upper.y, upper.z, 0}}, i);
       layout.bounds = {glm::min(layout.bounds.lower, lower), glm::max(layout.bounds.upper, upper)};
     }
   }
@@ -58,18 +49,19 @@ std::shared_ptr<const Layout> build(const TriangleMesh& mesh, const BuildOptions
   const auto start = std::chrono::steady_clock::now();
   auto layout = std::make_shared<Layout>();
   layout->bounds = {glm::vec3(kInfinity), glm::vec3(-kInfinity)};
-  SplitBuilder builder(mesh, options.spatial_splits);
-  Pieces pieces = collect_occluders(mesh, builder.capacity_for(mesh.triangles.size()), *layout);
-  if (!pieces.empty()) {
+  layout->mesh = pack(mesh);
+  SplitBuilder builder(layout->mesh, options.spatial_splits);
+  Pieces pieces = collect_occluders(builder.capacity_for(mesh.triangles.size()), *layout);
+  if (pieces.empty()) {
+    layout->mesh = {};  // no query asks for it
+  } else {
     const BuildTree& tree = builder.build(std::move(pieces), progress);
-    layout->positions.assign(mesh.positions.begin(), mesh.positions.end());
-    layout->triangles.assign(mesh.triangles.begin(), mesh.triangles.end());
     flatten(tree, *layout);
     layout->report.reference_count = tree.size.reference_count;
   }
   layout->report.node_count = layout->nodes.size();
   layout->report.memory_bytes = size_in_bytes(layout->nodes) + size_in_bytes(layout->leaves) +
-                                size_in_bytes(layout->positions) + size_in_bytes(layout->triangles);
+                                size_in_bytes(layout->mesh.positions) + size_in_bytes(layout->mesh.triangles);
   layout->report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return layout;
 }

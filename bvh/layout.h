@@ -10,6 +10,7 @@
 #include <glm/vec3.hpp>
 
 #include "bvh/huge_pages.h"
+#include "bvh/packed_mesh.h"
 #include "lkao/occluder_bvh.h"
 
 namespace lkao::bvh {
@@ -95,9 +96,7 @@ struct alignas(32) Leaf {
 struct Layout {
   std::vector<Node, HugePageAllocator<Node>> nodes;  // the root first
   std::vector<Leaf, HugePageAllocator<Leaf>> leaves;
-  // The mesh, for TriangleTest.
-  std::vector<glm::vec3> positions;
-  std::vector<glm::uvec3> triangles;
+  PackedMesh mesh;  // for TriangleTest
   Bounds bounds;
   BuildReport report;
 
@@ -108,9 +107,6 @@ struct Layout {
   }
 
   std::span<const Node> roots() const { return {&root(), 1}; }
-
-  // Corner 0, 1 or 2 of a triangle.
-  const glm::vec3& corner(std::uint32_t primitive, int which) const { return positions[triangles[primitive][which]]; }
 };
 
 }  // namespace lkao::bvh

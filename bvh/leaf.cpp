@@ -55,15 +55,15 @@ void set_triangle(Leaf& leaf, int triangle, const glm::dvec3 (&corners)[3]) {
 
 }  // namespace
 
-Leaf make_leaf(const Layout& layout, std::span<const std::uint32_t> primitives) {
+Leaf make_leaf(const PackedMesh& mesh, std::span<const std::uint32_t> primitives) {
   Leaf leaf{};
   for (int triangle = 0; triangle < kLeafWidth; ++triangle) {
     const auto place = static_cast<std::size_t>(triangle);
     const std::uint32_t primitive = primitives[place < primitives.size() ? place : 0];
     leaf.primitives[triangle] = primitive;
     set_triangle(leaf, triangle,
-                 {glm::dvec3(layout.corner(primitive, 0)), glm::dvec3(layout.corner(primitive, 1)),
-                  glm::dvec3(layout.corner(primitive, 2))});
+                 {glm::dvec3(mesh.corner(primitive, 0)), glm::dvec3(mesh.corner(primitive, 1)),
+                  glm::dvec3(mesh.corner(primitive, 2))});
   }
   return leaf;
 }

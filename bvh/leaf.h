@@ -8,7 +8,7 @@
 
 namespace lkao::bvh {
 
-// The leaf of 1 to 4 different triangles of the layout's mesh, none of zero area.
+// The leaf of 1 to 4 different triangles of the mesh, none of zero area.
 //
 // Each triangle becomes an affine frame, as in D. Baldwin, M. Weber, "Fast Ray-Triangle Intersections by Coordinate
 // Transformation", JCGT 5(3), 2016: a point x has the barycentric coordinates u = u_gradient . (x - vertex) and
@@ -17,6 +17,6 @@ namespace lkao::bvh {
 //
 // Of the three corners, `vertex` is the one opposite the longest edge: the third coordinate 1 - u - v is then no
 // steeper than twice the others, and keeps their precision.
-Leaf make_leaf(const Layout& layout, std::span<const std::uint32_t> primitives);
+Leaf make_leaf(const PackedMesh& mesh, std::span<const std::uint32_t> primitives);
 
 }  // namespace lkao::bvh

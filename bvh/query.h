@@ -32,9 +32,9 @@ struct Query {
 
 // The definition for one triangle as the query's receiver sees it.
 inline TriangleTest make_test(const Layout& layout, std::uint32_t primitive, const Query& query) {
-  return {layout.corner(primitive, 0),
-          layout.corner(primitive, 1),
-          layout.corner(primitive, 2),
+  return {layout.mesh.corner(primitive, 0),
+          layout.mesh.corner(primitive, 1),
+          layout.mesh.corner(primitive, 2),
           query.rays.origin,
           query.radius,
           query.sidedness};

@@ -49,12 +49,12 @@ SpatialBins::SpatialBins() {
   for (auto& boxes : boxes_) std::fill_n(boxes, SlabMap::kBins, empty_box());
 }
 
-void SpatialBins::add(std::span<const Piece> pieces, const SlabMap& map, const TriangleMesh& mesh) {
+void SpatialBins::add(std::span<const Piece> pieces, const SlabMap& map, const PackedMesh& mesh) {
   for (const Piece& piece : pieces) {
     const IntLanes first = map.bins_of(piece.box.lower), last = map.bins_of(piece.box.upper);
-    const glm::uvec3& t = mesh.triangles[piece.primitive()];
-    const Lanes corners[3] = {lanes_of(mesh.positions[t.x]), lanes_of(mesh.positions[t.y]),
-                              lanes_of(mesh.positions[t.z])};
+    const std::uint32_t primitive = piece.primitive();
+    const Lanes corners[3] = {lanes_of(mesh.corner(primitive, 0)), lanes_of(mesh.corner(primitive, 1)),
+                              lanes_of(mesh.corner(primitive, 2))};
     for (int axis = 0; axis < 3; ++axis) {
       if (first[axis] == last[axis]) {
         Box& box = boxes_[axis][first[axis]];

@@ -8,8 +8,8 @@
 #include <limits>
 #include <span>
 
+#include "bvh/packed_mesh.h"
 #include "bvh/piece.h"
-#include "lkao/occluder_bvh.h"
 
 namespace lkao::bvh {
 
@@ -44,7 +44,7 @@ struct SpatialSplit {
 class SpatialBins {
  public:
   SpatialBins();
-  void add(std::span<const Piece> pieces, const SlabMap& map, const TriangleMesh& mesh);
+  void add(std::span<const Piece> pieces, const SlabMap& map, const PackedMesh& mesh);
   void merge_with(const SpatialBins& other);
   SpatialSplit best(const SlabMap& map) const;
 

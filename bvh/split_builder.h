@@ -9,10 +9,10 @@
 
 #include "bvh/build_tree.h"
 #include "bvh/object_bins.h"
+#include "bvh/packed_mesh.h"
 #include "bvh/partition.h"
 #include "bvh/piece.h"
 #include "bvh/spatial_bins.h"
-#include "lkao/occluder_bvh.h"
 #include "lkao/progress.h"
 #include "lut/progress_sum.h"
 
@@ -26,7 +26,7 @@ namespace lkao::bvh {
 class SplitBuilder {
  public:
   // The mesh must stay as it is meanwhile.
-  SplitBuilder(const TriangleMesh& mesh, bool spatial_splits) : mesh_(mesh), spatial_splits_(spatial_splits) {}
+  SplitBuilder(const PackedMesh& mesh, bool spatial_splits) : mesh_(mesh), spatial_splits_(spatial_splits) {}
 
   // What the pieces of so many triangles should have reserved, for the builder to add to them.
   std::size_t capacity_for(std::size_t triangle_count) const;
@@ -54,7 +54,7 @@ class SplitBuilder {
   template <typename Tree>
   Tree* create();
 
-  const TriangleMesh mesh_;
+  const PackedMesh& mesh_;
   const bool spatial_splits_;
   Pieces pieces_;
   tbb::enumerable_thread_specific<std::pmr::monotonic_buffer_resource> memory_;

@@ -29,7 +29,8 @@ class TableKernel {
 
   OcclusionMask triangle_mask(std::uint32_t primitive, const OcclusionMask& mask) const {
     OcclusionMask blocked;
-    if (is_culled(layout_.corner(primitive, 0), layout_.corner(primitive, 1), layout_.corner(primitive, 2), query_)) {
+    if (is_culled(layout_.mesh.corner(primitive, 0), layout_.mesh.corner(primitive, 1),
+                  layout_.mesh.corner(primitive, 2), query_)) {
       return blocked;
     }
     const TriangleTest test = make_test(layout_, primitive, query_);

@@ -47,11 +47,10 @@ class Edge {
 // A triangle with its corners in order along an axis.
 class SortedTriangle {
  public:
-  SortedTriangle(const TriangleMesh& mesh, std::uint32_t primitive, int axis) : axis_(axis) {
-    const glm::uvec3& t = mesh.triangles[primitive];
-    low_ = Corner(mesh.positions[t.x], axis);
-    middle_ = Corner(mesh.positions[t.y], axis);
-    high_ = Corner(mesh.positions[t.z], axis);
+  SortedTriangle(const PackedMesh& mesh, std::uint32_t primitive, int axis) : axis_(axis) {
+    low_ = Corner(mesh.corner(primitive, 0), axis);
+    middle_ = Corner(mesh.corner(primitive, 1), axis);
+    high_ = Corner(mesh.corner(primitive, 2), axis);
     if (middle_.key < low_.key) std::swap(low_, middle_);
     if (high_.key < middle_.key) std::swap(middle_, high_);
     if (middle_.key < low_.key) std::swap(low_, middle_);
@@ -85,7 +84,7 @@ class SortedTriangle {
 
 }  // namespace
 
-std::pair<Box, Box> cut_triangle(const TriangleMesh& mesh, std::uint32_t primitive, const Box& within, int axis,
+std::pair<Box, Box> cut_triangle(const PackedMesh& mesh, std::uint32_t primitive, const Box& within, int axis,
                                  float position) {
   const SortedTriangle triangle(mesh, primitive, axis);
   if (triangle.is_right_of(position)) return {empty_box(), within};

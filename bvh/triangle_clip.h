@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "bvh/lanes.h"
-#include "lkao/occluder_bvh.h"
+#include "bvh/packed_mesh.h"
 
 namespace lkao::bvh {
 
@@ -13,7 +13,7 @@ namespace lkao::bvh {
 // `within`. Rounded outwards, so that the two together hold every point of the triangle inside that box. A triangle
 // that at most touches the plane stays whole, and the other box is empty. No coordinate may be beyond
 // kLargestCoordinate.
-std::pair<Box, Box> cut_triangle(const TriangleMesh& mesh, std::uint32_t primitive, const Box& within, int axis,
+std::pair<Box, Box> cut_triangle(const PackedMesh& mesh, std::uint32_t primitive, const Box& within, int axis,
                                  float position);
 
 }  // namespace lkao::bvh

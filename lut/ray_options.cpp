@@ -2,17 +2,10 @@
 
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
-
-#include <fmt/format.h>
 
 #include "lut/coordinates.h"
 
 namespace lkao::lut {
-
-void require(bool condition, const char* option, const char* range, double value) {
-  if (!condition) throw std::invalid_argument(fmt::format("{} must be {}, not {}", option, range, value));
-}
 
 void check(const RayOptions& options) {
   require(options.radius > 0 && (options.radius <= kLargestCoordinate || std::isinf(options.radius)), "radius",

@@ -4,13 +4,11 @@
 #include <algorithm>
 
 #include "lkao/receiver.h"
+#include "lut/require.h"
 
 namespace lkao::lut {
 
-// Throws std::invalid_argument "OPTION must be RANGE, not VALUE" where the condition does not hold.
-void require(bool condition, const char* option, const char* range, double value);
-
-// Throws the same where an option is out of its range.
+// Throws std::invalid_argument where an option is out of its range.
 void check(const RayOptions& options);
 
 // How far rays start off the surface, in units of the largest coordinate in play (RayOptions::surface_offset).

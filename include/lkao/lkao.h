@@ -18,12 +18,14 @@
 #pragma once
 
 #include "lkao/ambient_occlusion.h"
+#include "lkao/index_view.h"
 #include "lkao/isa.h"
 #include "lkao/kernel.h"
 #include "lkao/neighbourhood.h"
 #include "lkao/occluder_bvh.h"
 #include "lkao/occlusion_mask.h"
 #include "lkao/plane_mask_table.h"
+#include "lkao/position_view.h"
 #include "lkao/progress.h"
 #include "lkao/receiver.h"
 #include "lkao/receiver_rays.h"

@@ -4,20 +4,25 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <span>
 
 #include <glm/vec3.hpp>
 
+#include "lkao/index_view.h"
+#include "lkao/position_view.h"
 #include "lkao/progress.h"
 
 namespace lkao {
 
-// A view of an indexed triangle mesh; owns nothing. Positions in world space, in any unit. The front of a
-// triangle is the side from which its corners run counter-clockwise. The index of a triangle in `triangles`
+// A view of an indexed triangle mesh, in arrays of any layout; owns nothing. Positions in world space, in any unit. The
+// front of a triangle is the side from which its corners run counter-clockwise. The index of a triangle in `triangles`
 // is its primitive number.
+//
+//   TriangleMesh{positions, triangles}                                      vectors of glm::vec3 and glm::uvec3
+//   TriangleMesh{{&vertices[0].x, vertices.size(), sizeof(Vertex)},         a renderer's own vertices
+//                {indices.data(), indices.size() / 3}}                      and indices, of 16 or 32 bits
 struct TriangleMesh {
-  std::span<const glm::vec3> positions;
-  std::span<const glm::uvec3> triangles;
+  PositionView positions;
+  IndexView triangles;
 };
 
 // An axis-aligned box; empty where lower > upper.
@@ -49,8 +54,8 @@ namespace bvh {
 struct Layout;
 }
 
-// An immutable hierarchy over the triangles of a mesh: 8 children a node, at most 4 triangles a leaf. It
-// copies what it needs; the mesh may go after the build. Copies share their storage.
+// An immutable hierarchy over the triangles of a mesh: 8 children a node, at most 4 triangles a leaf. It keeps a packed
+// copy of the mesh, which may go after the build. Copies of the hierarchy share their storage.
 //
 // The constructor builds in parallel, in the TBB arena of the caller; the hierarchy is the same on any number
 // of threads. It throws std::invalid_argument where an index is outside `positions`, naming triangle and

@@ -36,8 +36,9 @@ void check(const char* step) {
   if (error != RTC_ERROR_NONE) throw std::runtime_error(fmt::format("Embree, {}: error {}", step, int{error}));
 }
 
-Triangle triangle_at(std::span<const glm::vec3> positions, const glm::uvec3& triangle) {
-  return {positions[triangle.x], positions[triangle.y], positions[triangle.z]};
+Triangle triangle_at(const scene::Mesh& mesh, std::uint32_t triangle) {
+  const glm::uvec3& t = mesh.triangles[triangle];
+  return {mesh.positions[t.x], mesh.positions[t.y], mesh.positions[t.z]};
 }
 
 // What Embree gets: boxes around the triangles. Long needles are cut across into several, since a box around a whole
@@ -82,8 +83,7 @@ void give_bounds(const RTCBoundsFunctionArguments* arguments) {
 }
 
 struct Search {
-  std::span<const glm::vec3> positions;
-  std::span<const glm::uvec3> triangles;
+  const scene::Mesh& mesh;
   std::span<const std::uint32_t> triangle_of_box;
   glm::dvec3 point;
   float margin;                                           // more than what rounding can hide from Embree's boxes
@@ -109,7 +109,7 @@ bool visit_until_near(RTCPointQueryFunctionArguments* arguments) {
   Search& search = *static_cast<Search*>(arguments->userPtr);
   if (arguments->query->radius == 0) return false;
   const std::uint32_t number = search.triangle_of_box[arguments->primID];
-  const Triangle triangle = triangle_at(search.positions, search.triangles[number]);
+  const Triangle triangle = triangle_at(search.mesh, number);
   if (!(squared_distance(search.point, triangle) <= search.best)) return false;
   search.found = true;
   arguments->query->radius = 0;
@@ -119,7 +119,7 @@ bool visit_until_near(RTCPointQueryFunctionArguments* arguments) {
 bool visit_triangle(RTCPointQueryFunctionArguments* arguments) {
   Search& search = *static_cast<Search*>(arguments->userPtr);
   const std::uint32_t number = search.triangle_of_box[arguments->primID];
-  const Triangle triangle = triangle_at(search.positions, search.triangles[number]);
+  const Triangle triangle = triangle_at(search.mesh, number);
   const double squared = squared_distance(search.point, triangle);
   if (!(squared < search.best)) return false;
   search.best = squared;
@@ -133,26 +133,21 @@ bool visit_triangle(RTCPointQueryFunctionArguments* arguments) {
 }  // namespace
 
 struct Surface::Data {
-  std::vector<glm::vec3> positions;
-  std::vector<glm::uvec3> triangles;
+  scene::Mesh mesh;
   Boxes boxes;
   Scene scene;
 
   Search search(const glm::dvec3& point) const {
     const double largest = std::max({std::abs(point.x), std::abs(point.y), std::abs(point.z)});
-    return {.positions = positions,
-            .triangles = triangles,
-            .triangle_of_box = boxes.triangle,
-            .point = point,
-            .margin = static_cast<float>(largest * 4e-7)};
+    return {
+        .mesh = mesh, .triangle_of_box = boxes.triangle, .point = point, .margin = static_cast<float>(largest * 4e-7)};
   }
 };
 
-Surface::Surface(const TriangleMesh& mesh) : data_(std::make_unique<Data>()) {
-  data_->positions.assign(mesh.positions.begin(), mesh.positions.end());
-  data_->triangles.assign(mesh.triangles.begin(), mesh.triangles.end());
+Surface::Surface(const scene::Mesh& mesh) : data_(std::make_unique<Data>()) {
+  data_->mesh = mesh;
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-    add_boxes(data_->boxes, triangle_at(mesh.positions, mesh.triangles[t]), t);
+    add_boxes(data_->boxes, triangle_at(mesh, t), t);
   }
   const RTCDevice device = shared_device();
   const Geometry geometry(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER));
@@ -182,7 +177,7 @@ Surface::Nearest Surface::nearest(const glm::dvec3& point, double limit) const {
 
 Surface::Nearest Surface::nearest_from(const glm::dvec3& point, std::uint32_t guess) const {
   Search search = data_->search(point);
-  search.best = squared_distance(point, triangle_at(search.positions, search.triangles[guess]));
+  search.best = squared_distance(point, triangle_at(search.mesh, guess));
   search.triangle = guess;
   const float radius = static_cast<float>(std::sqrt(search.best)) * 1.000001f + search.margin;
   run_query(data_->scene.get(), search, radius, visit_triangle);
@@ -206,7 +201,7 @@ void Distance::add(const Distance& part) {
   sample_count += part.sample_count;
 }
 
-std::vector<Distance> triangle_distances(const TriangleMesh& from, const Surface& to, const Sampling& sampling,
+std::vector<Distance> triangle_distances(const scene::Mesh& from, const Surface& to, const Sampling& sampling,
                                          std::span<const std::uint8_t> coincident) {
   // Each vertex is looked at once, with the first triangle that needs it.
   constexpr std::uint32_t kNobody = 0xffffffffu;
@@ -220,7 +215,7 @@ std::vector<Distance> triangle_distances(const TriangleMesh& from, const Surface
   std::vector<Distance> distances(from.triangles.size());
   // `guess`: the nearest triangle of the sample before is often near to the next one.
   const auto measure = [&](std::uint32_t t, std::uint32_t& guess) {
-    const Triangle triangle = triangle_at(from.positions, from.triangles[t]);
+    const Triangle triangle = triangle_at(from, t);
     Distance& distance = distances[t];
     distance.area = area_of(triangle);
     if (!coincident.empty() && coincident[t] != 0) return;
@@ -259,9 +254,9 @@ Distance sum(std::span<const Distance> distances) {
   return total;
 }
 
-double area_of(const TriangleMesh& mesh) {
+double area_of(const scene::Mesh& mesh) {
   double area = 0;
-  for (const glm::uvec3& triangle : mesh.triangles) area += area_of(triangle_at(mesh.positions, triangle));
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) area += area_of(triangle_at(mesh, t));
   return area;
 }
 

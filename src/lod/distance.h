@@ -10,8 +10,8 @@
 
 #include <glm/vec3.hpp>
 
-#include "lkao/occluder_bvh.h"
 #include "lod/surface_samples.h"
+#include "scene/mesh.h"
 
 namespace lkao::lod {
 
@@ -34,7 +34,7 @@ class Surface {
  public:
   // The mesh may go afterwards. It needs a triangle, and none of zero area or with a non-finite vertex.
   // Throws std::runtime_error where Embree fails.
-  explicit Surface(const TriangleMesh& mesh);
+  explicit Surface(const scene::Mesh& mesh);
   ~Surface();
   Surface(Surface&&) noexcept;
   Surface& operator=(Surface&&) noexcept;
@@ -59,11 +59,11 @@ class Surface {
 // The distance from every triangle of the mesh, sampled so and at its corners. Triangles marked in `coincident` (empty:
 // none) are known to be part of the surface: their distance is 0. In parallel; the same result at any number of
 // threads.
-std::vector<Distance> triangle_distances(const TriangleMesh& from, const Surface& to, const Sampling& sampling,
+std::vector<Distance> triangle_distances(const scene::Mesh& from, const Surface& to, const Sampling& sampling,
                                          std::span<const std::uint8_t> coincident = {});
 
 Distance sum(std::span<const Distance> distances);
 
-double area_of(const TriangleMesh& mesh);
+double area_of(const scene::Mesh& mesh);
 
 }  // namespace lkao::lod

@@ -25,11 +25,11 @@ bool same_triangle(const glm::uvec3& a, const glm::uvec3& b) {
 class Simplifier {
  public:
   Simplifier(const scene::Mesh& part, std::span<const PartGoal> goals, const PartDecimater::OnRemoved& on_removed)
-      : part_(part), goals_(goals), on_removed_(on_removed), surface_(part.view()) {
+      : part_(part), goals_(goals), on_removed_(on_removed), surface_(part) {
     const Bounds bounds = scene::bounds_of(part);
     lower_ = bounds.lower;
     const double size = glm::distance(glm::dvec3(bounds.lower), glm::dvec3(bounds.upper));
-    most_tolerance_ = kMostOfSize * std::min(size, area_of(part.view()) / size);
+    most_tolerance_ = kMostOfSize * std::min(size, area_of(part) / size);
   }
 
   PartResult run() {
@@ -72,7 +72,7 @@ class Simplifier {
   // From now on `base` is what is simplified further.
   void begin_with(const PartLevel& base) {
     base_mesh_ = mesh_of(base);
-    base_surface_ = std::make_unique<Surface>(base_mesh_.view());
+    base_surface_ = std::make_unique<Surface>(base_mesh_);
   }
 
   // Over all vertices of the part.
@@ -93,12 +93,12 @@ class Simplifier {
       kept[triangle.origin] = kept_now[t];
     }
     const scene::Mesh simplified = mesh_of(level);
-    const Surface surface(simplified.view());
+    const Surface surface(simplified);
     Sampling sampling = goal.sampling;
-    const auto from_original = triangle_distances(part_.view(), surface, sampling, kept);
+    const auto from_original = triangle_distances(part_, surface, sampling, kept);
     sampling.most_per_triangle *=
         static_cast<double>(part_.triangles.size()) / static_cast<double>(simplified.triangles.size());
-    const auto to_original = triangle_distances(simplified.view(), surface_, sampling, kept_now);
+    const auto to_original = triangle_distances(simplified, surface_, sampling, kept_now);
     level.from_original = sum(from_original);
     level.to_original = sum(to_original);
     if (level.from_original.maximum <= goal.epsilon && level.to_original.maximum <= goal.epsilon) return true;
@@ -153,7 +153,7 @@ PartResult simplify_part(const scene::Mesh& part, std::span<const PartGoal> goal
 PartLevel unsimplified(const scene::Mesh& part) {
   PartLevel level;
   for (std::uint32_t t = 0; t < part.triangles.size(); ++t) level.triangles.push_back({part.triangles[t], t});
-  level.from_original.area = level.to_original.area = area_of(part.view());
+  level.from_original.area = level.to_original.area = area_of(part);
   return level;
 }
 

@@ -4,13 +4,13 @@
 #include <numeric>
 #include <stdexcept>
 
-#include <fmt/format.h>
 #include <tbb/parallel_for.h>
 #include <tbb/partitioner.h>
 
 #include "lod/part_levels.h"
 #include "lod/parts.h"
 #include "lod/surface_samples.h"
+#include "lut/mesh_views.h"
 #include "lut/progress_sum.h"
 
 namespace lkao::lod {
@@ -22,13 +22,7 @@ constexpr double kLeastSamplesOfLarge = 16;
 
 void check_mesh(const scene::Mesh& mesh) {
   if (mesh.triangles.empty()) throw std::invalid_argument("mesh: there are no triangles in it");
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    for (int i = 0; i < 3; ++i) {
-      if (mesh.triangles[t][i] < mesh.positions.size()) continue;
-      throw std::invalid_argument(
-          fmt::format("mesh: triangle {} names vertex {} of {}", t, mesh.triangles[t][i], mesh.positions.size()));
-    }
-  }
+  lut::check_indices(mesh.triangles, mesh.positions.size());
 }
 
 class Simplification {
@@ -71,7 +65,7 @@ class Simplification {
   void set_goals(const scene::Mesh& mesh) {
     LevelReport& original = result_.report.levels[0];
     original.triangle_count = mesh.triangles.size();
-    for (const Part& part : scene_.parts) original.area += area_of(part.mesh.view());
+    for (const Part& part : scene_.parts) original.area += area_of(part.mesh);
     const double most_per_triangle =
         std::max(kLeastSamplesOfLarge, kSampleBudget / static_cast<double>(mesh.triangles.size()));
     for (std::size_t i = 1; i < result_.chain.levels.size(); ++i) {

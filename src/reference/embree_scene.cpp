@@ -1,7 +1,5 @@
 #include "reference/embree_scene.h"
 
-#include <cstring>
-
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -11,6 +9,8 @@
 
 #include "bvh/usable_triangle.h"
 #include "lut/coordinates.h"
+#include "lut/mesh_views.h"
+#include "reference/embree_buffers.h"
 
 namespace lkao::reference {
 namespace {
@@ -34,30 +34,9 @@ const char* text_of(RTCError error) {
   throw std::runtime_error(fmt::format("Embree, {}: {}", step, text_of(error)));
 }
 
-void check_indices(const TriangleMesh& mesh) {
-  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-    for (int corner = 0; corner < 3; ++corner) {
-      const std::uint32_t index = mesh.triangles[i][corner];
-      if (index < mesh.positions.size()) continue;
-      throw std::invalid_argument(
-          fmt::format("triangle {}: index {} is outside the {} positions", i, index, mesh.positions.size()));
-    }
-  }
-}
-
-bool can_block(const TriangleMesh& mesh, const glm::uvec3& triangle) {
-  const glm::vec3& a = mesh.positions[triangle.x];
-  const glm::vec3& b = mesh.positions[triangle.y];
-  const glm::vec3& c = mesh.positions[triangle.z];
+bool can_block(const PositionView& positions, const glm::uvec3& triangle) {
+  const glm::vec3 a = positions[triangle.x], b = positions[triangle.y], c = positions[triangle.z];
   return lut::is_in_range(a, b, c) && !bvh::has_zero_area(a, b, c);
-}
-
-// Copies `values` into a new buffer of Embree's, which pads it as its vector loads need. Null where out of memory.
-template <typename Value>
-const Value* fill_buffer(RTCGeometry geometry, RTCBufferType type, RTCFormat format, std::span<const Value> values) {
-  void* buffer = rtcSetNewGeometryBuffer(geometry, type, 0, format, sizeof(Value), values.size());
-  if (buffer != nullptr && !values.empty()) std::memcpy(buffer, values.data(), values.size_bytes());
-  return static_cast<const Value*>(buffer);
 }
 
 // Takes back the hits that do not count, before Embree ends the rays at them.
@@ -80,7 +59,7 @@ static_assert(std::is_standard_layout_v<FilteredContext>, "the filter casts back
 EmbreeScene::EmbreeScene(const TriangleMesh& mesh, bool robust, const char* device_config)
     : device_(rtcNewDevice(device_config)), flags_(robust ? RTC_SCENE_FLAG_ROBUST : RTC_SCENE_FLAG_NONE) {
   if (!device_) fail("new device", rtcGetDeviceError(nullptr));
-  check_indices(mesh);
+  lut::check_indices(mesh.triangles, mesh.positions.size());
   geometry_.reset(rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_TRIANGLE));
   check("new geometry");
   add_triangles(mesh);
@@ -90,20 +69,21 @@ EmbreeScene::EmbreeScene(const TriangleMesh& mesh, bool robust, const char* devi
 void EmbreeScene::add_triangles(const TriangleMesh& mesh) {
   std::vector<glm::uvec3> usable;
   for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
-    if (!can_block(mesh, mesh.triangles[i])) continue;
-    usable.push_back(mesh.triangles[i]);
+    const glm::uvec3 triangle = mesh.triangles[i];
+    if (!can_block(mesh.positions, triangle)) continue;
+    usable.push_back(triangle);
     primitives_.push_back(i);
   }
-  positions_ = fill_buffer(geometry_.get(), RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3, mesh.positions);
-  triangles_ = fill_buffer<glm::uvec3>(geometry_.get(), RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT3, usable);
+  positions_ = fill_positions(geometry_.get(), mesh.positions);
+  triangles_ = fill_triangles(geometry_.get(), usable);
   check("buffers");
   rtcSetGeometryBuildQuality(geometry_.get(), RTC_BUILD_QUALITY_HIGH);
   rtcCommitGeometry(geometry_.get());
   check("geometry");
 }
 
-Scene EmbreeScene::build(unsigned flags) const {
-  Scene scene(rtcNewScene(device_.get()));
+scene::embree::Scene EmbreeScene::build(unsigned flags) const {
+  scene::embree::Scene scene(rtcNewScene(device_.get()));
   check("new scene");
   rtcSetSceneFlags(scene.get(), static_cast<RTCSceneFlags>(flags));
   rtcSetSceneBuildQuality(scene.get(), RTC_BUILD_QUALITY_HIGH);

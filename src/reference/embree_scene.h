@@ -14,10 +14,6 @@
 
 namespace lkao::reference {
 
-using scene::embree::Device;
-using scene::embree::Geometry;
-using scene::embree::Scene;
-
 class EmbreeScene {
  public:
   // `device_config` as of rtcNewDevice, such as "isa=avx2"; null for Embree's defaults. Errors as EmbreeReference says.
@@ -35,19 +31,19 @@ class EmbreeScene {
 
  private:
   void add_triangles(const TriangleMesh& mesh);
-  Scene build(unsigned flags) const;
+  scene::embree::Scene build(unsigned flags) const;
   void check(const char* step) const;
 
-  Device device_;
-  Geometry geometry_;
+  scene::embree::Device device_;
+  scene::embree::Geometry geometry_;
   std::vector<std::uint32_t> primitives_;
   // Of Embree's triangles, in Embree's own buffers.
   const glm::vec3* positions_ = nullptr;
   const glm::uvec3* triangles_ = nullptr;
   unsigned flags_;
-  Scene plain_;
+  scene::embree::Scene plain_;
   mutable std::once_flag filtered_once_;
-  mutable Scene filtered_;
+  mutable scene::embree::Scene filtered_;
 };
 
 // The intersection context of the rays of one receiver with an excluded primitive or one-sided occluders.

@@ -2,9 +2,12 @@
 #include "bvh/flatten.h"
 
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <cstring>
 #include <map>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -128,6 +131,55 @@ TEST(SpatialSplits, MakeTheBoxesOfSliversSmaller) {
   const OccluderBvh whole(mesh.view(), {.spatial_splits = false}), split(mesh.view(), {.spatial_splits = true});
   EXPECT_LT(mean_leaf_area(split.layout()), 0.9 * mean_leaf_area(whole.layout()));
   EXPECT_LE(split.report().reference_count, mesh.triangles.size() * 2);
+}
+
+// The mesh as a renderer might have it: points and triangles with something else between them, at any address.
+template <typename Index>
+class LaidOut {
+ public:
+  LaidOut(const Mesh& mesh, std::size_t offset, std::size_t gap)
+      : position_stride_(sizeof(glm::vec3) + gap),
+        triangle_stride_(3 * sizeof(Index) + gap),
+        positions_(offset + mesh.positions.size() * position_stride_, kGarbage),
+        triangles_(offset + mesh.triangles.size() * triangle_stride_, kGarbage),
+        mesh_{{reinterpret_cast<const float*>(&positions_[offset]), mesh.positions.size(), position_stride_},
+              {reinterpret_cast<const Index*>(&triangles_[offset]), mesh.triangles.size(), triangle_stride_}} {
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+      std::memcpy(&positions_[offset + i * position_stride_], &mesh.positions[i], sizeof(glm::vec3));
+    }
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+      const glm::vec<3, Index> triangle(mesh.triangles[i]);
+      std::memcpy(&triangles_[offset + i * triangle_stride_], &triangle, sizeof(triangle));
+    }
+  }
+
+  const TriangleMesh& view() const { return mesh_; }
+
+ private:
+  static constexpr std::byte kGarbage{0xff};
+  std::size_t position_stride_, triangle_stride_;
+  std::vector<std::byte> positions_, triangles_;
+  TriangleMesh mesh_;
+};
+
+template <typename Index>
+void expect_same_from(const Mesh& mesh) {
+  const OccluderBvh packed(mesh.view());
+  for (const auto& [offset, gap] : {std::pair(0, 0), std::pair(0, 4), std::pair(12, 20), std::pair(1, 3)}) {
+    const LaidOut<Index> laid_out(mesh, static_cast<std::size_t>(offset), static_cast<std::size_t>(gap));
+    const OccluderBvh other(laid_out.view());
+    expect_equal(packed.layout().nodes, other.layout().nodes);
+    expect_equal(packed.layout().leaves, other.layout().leaves);
+    EXPECT_EQ(packed.layout().mesh.positions, other.layout().mesh.positions);
+    EXPECT_EQ(packed.layout().mesh.triangles, other.layout().mesh.triangles);
+  }
+}
+
+TEST(Flatten, GivesTheSameFromAnyLayoutOfTheMesh) {
+  const Mesh mesh = long_slivers(3000);
+  expect_same_from<std::uint16_t>(mesh);
+  expect_same_from<std::uint32_t>(mesh);
+  expect_same_from<std::int32_t>(mesh);
 }
 
 TEST(Flatten, GivesTheSameOnAnyNumberOfThreads) {

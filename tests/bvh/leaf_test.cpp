@@ -12,16 +12,7 @@
 namespace lkao::bvh {
 namespace {
 
-Layout layout_of(const tests::Mesh& mesh) {
-  Layout layout;
-  layout.positions = mesh.positions;
-  layout.triangles = mesh.triangles;
-  return layout;
-}
-
-Layout layout_of(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
-  return layout_of(tests::Mesh{{a, b, c}, {{0, 1, 2}}});
-}
+PackedMesh one_triangle(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) { return {{a, b, c}, {{0, 1, 2}}}; }
 
 glm::dvec3 at(const float (&field)[3][kLeafWidth], int triangle) {
   return {field[0][triangle], field[1][triangle], field[2][triangle]};
@@ -36,8 +27,8 @@ double v_of(const Leaf& leaf, int triangle, const glm::dvec3& point) {
 }
 
 TEST(Leaf, HoldsAKnownTriangle) {
-  const Layout layout = layout_of({0, 0, 2}, {4, 0, 2}, {0, 2, 2});
-  const Leaf leaf = make_leaf(layout, std::vector{0u});
+  const PackedMesh mesh = one_triangle({0, 0, 2}, {4, 0, 2}, {0, 2, 2});
+  const Leaf leaf = make_leaf(mesh, std::vector{0u});
   EXPECT_EQ(at(leaf.vertex, 0), glm::dvec3(0, 0, 2));
   EXPECT_EQ(at(leaf.u_gradient, 0), glm::dvec3(0.25, 0, 0));
   EXPECT_EQ(at(leaf.v_gradient, 0), glm::dvec3(0, 0.5, 0));
@@ -51,8 +42,8 @@ TEST(Leaf, CornersHaveTheirBarycentricCoordinates) {
     const float scale = std::pow(10.0f, tests::uniform(random, -6, 6));
     const glm::vec3 corners[3] = {tests::random_point(random, scale), tests::random_point(random, scale),
                                   tests::random_point(random, scale)};
-    const Layout layout = layout_of(corners[0], corners[1], corners[2]);
-    const Leaf leaf = make_leaf(layout, std::vector{0u});
+    const PackedMesh mesh = one_triangle(corners[0], corners[1], corners[2]);
+    const Leaf leaf = make_leaf(mesh, std::vector{0u});
     const glm::dvec3 a(corners[0]), b(corners[1]), c(corners[2]);
     const glm::dvec3 normal = glm::normalize(glm::cross(b - a, c - a));
     const double reach = glm::length(b - a) + glm::length(c - a);
@@ -86,8 +77,8 @@ TEST(Leaf, CornersHaveTheirBarycentricCoordinates) {
 
 // Corners far out on a line, one of them a step off it: in double precision the normal is noise.
 TEST(Leaf, ThinTrianglesAreLeftToTheTest) {
-  const Layout layout = layout_of({0, 0, 0}, {1e7f, 1e7f, 0}, {2e7f, 2e7f, 1e-9f});
-  const Leaf leaf = make_leaf(layout, std::vector{0u});
+  const PackedMesh mesh = one_triangle({0, 0, 0}, {1e7f, 1e7f, 0}, {2e7f, 2e7f, 1e-9f});
+  const Leaf leaf = make_leaf(mesh, std::vector{0u});
   EXPECT_EQ(leaf.steepness[0], INFINITY);
   EXPECT_EQ(at(leaf.u_gradient, 0), glm::dvec3(0));
   EXPECT_EQ(at(leaf.v_gradient, 0), glm::dvec3(0));
@@ -96,21 +87,21 @@ TEST(Leaf, ThinTrianglesAreLeftToTheTest) {
 
 // So small that gradients do not fit a float.
 TEST(Leaf, GradientsBeyondFloatAreLeftToTheTest) {
-  const Layout layout = layout_of({0, 0, 0}, {1e-39f, 0, 0}, {0, 1e-39f, 0});
-  EXPECT_EQ(make_leaf(layout, std::vector{0u}).steepness[0], INFINITY);
+  const PackedMesh mesh = one_triangle({0, 0, 0}, {1e-39f, 0, 0}, {0, 1e-39f, 0});
+  EXPECT_EQ(make_leaf(mesh, std::vector{0u}).steepness[0], INFINITY);
 }
 
 TEST(Leaf, PlacesThatAreLeftRepeatTheFirstTriangle) {
-  const Layout layout = layout_of(tests::random_soup(4, 0.5f, 52));
+  const PackedMesh mesh = pack(tests::random_soup(4, 0.5f, 52).view());
   const std::vector<std::uint32_t> primitives = {2, 0, 3, 1};
   for (std::size_t count = 1; count <= primitives.size(); ++count) {
-    const Leaf leaf = make_leaf(layout, {primitives.data(), count});
+    const Leaf leaf = make_leaf(mesh, {primitives.data(), count});
     EXPECT_EQ(leaf.triangle_count(), static_cast<int>(count));
     for (std::size_t place = 0; place < kLeafWidth; ++place) {
       const std::uint32_t expected = primitives[place < count ? place : 0];
       const int i = static_cast<int>(place);
       EXPECT_EQ(leaf.primitives[place], expected) << count << " " << place;
-      const Leaf single = make_leaf(layout, {&expected, 1});
+      const Leaf single = make_leaf(mesh, {&expected, 1});
       EXPECT_EQ(at(leaf.vertex, i), at(single.vertex, 0)) << count << " " << place;
       EXPECT_EQ(at(leaf.u_gradient, i), at(single.u_gradient, 0)) << count << " " << place;
       EXPECT_EQ(at(leaf.v_gradient, i), at(single.v_gradient, 0)) << count << " " << place;

@@ -12,11 +12,10 @@
 namespace lkao::bvh {
 namespace {
 
-std::vector<Piece> pieces_of(const TriangleMesh& mesh, PieceSet& set) {
+std::vector<Piece> pieces_of(const PackedMesh& mesh, PieceSet& set) {
   std::vector<Piece> pieces;
   for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
-    const glm::uvec3& t = mesh.triangles[i];
-    const glm::vec3 &a = mesh.positions[t.x], &b = mesh.positions[t.y], &c = mesh.positions[t.z];
+    const glm::vec3 &a = mesh.corner(i, 0), &b = mesh.corner(i, 1), &c = mesh.corner(i, 2);
     const glm::vec3 lower = glm::min(a, glm::min(b, c)), upper = glm::max(a, glm::max(b, c));
     pieces.emplace_back(Box{{lower.x, lower.y, lower.z, 0}, {upper.x, upper.y, upper.z, 0}}, i);
     set.include(pieces.back());
@@ -25,7 +24,7 @@ std::vector<Piece> pieces_of(const TriangleMesh& mesh, PieceSet& set) {
   return pieces;
 }
 
-SpatialSplit best_split(const TriangleMesh& mesh, const PieceSet& set, const std::vector<Piece>& pieces) {
+SpatialSplit best_split(const PackedMesh& mesh, const PieceSet& set, const std::vector<Piece>& pieces) {
   const SlabMap map(set);
   SpatialBins bins;
   bins.add(pieces, map, mesh);
@@ -34,9 +33,7 @@ SpatialSplit best_split(const TriangleMesh& mesh, const PieceSet& set, const std
 
 // A sliver along the diagonal of a square: in the middle it is cut into two that fill a quarter of the square each.
 TEST(SpatialBins, CutADiagonalInTheMiddle) {
-  const glm::vec3 positions[] = {{0, 0, 0}, {8, 8, 0}, {8, 8, 0.01f}};
-  const glm::uvec3 triangles[] = {{0, 1, 2}};
-  const TriangleMesh mesh{positions, triangles};
+  const PackedMesh mesh{{{0, 0, 0}, {8, 8, 0}, {8, 8, 0.01f}}, {{0, 1, 2}}};
   PieceSet set;
   const std::vector<Piece> pieces = pieces_of(mesh, set);
   const SpatialSplit split = best_split(mesh, set, pieces);
@@ -49,14 +46,14 @@ TEST(SpatialBins, CutADiagonalInTheMiddle) {
 // What the bins say of the best plane is what cutting each triangle there gives.
 TEST(SpatialBins, AgreeWithCuttingEachTriangle) {
   for (const int count : {2, 5, 20, 300}) {
-    const tests::Mesh mesh = tests::random_soup(count, 0.7f, 61);
+    const PackedMesh mesh = pack(tests::random_soup(count, 0.7f, 61).view());
     PieceSet set;
-    const std::vector<Piece> pieces = pieces_of(mesh.view(), set);
-    const SpatialSplit split = best_split(mesh.view(), set, pieces);
+    const std::vector<Piece> pieces = pieces_of(mesh, set);
+    const SpatialSplit split = best_split(mesh, set, pieces);
     Box left = empty_box(), right = empty_box();
     std::size_t left_count = 0, right_count = 0;
     for (const Piece& piece : pieces) {
-      const auto [a, b] = cut_triangle(mesh.view(), piece.primitive(), piece.box, split.axis, split.plane);
+      const auto [a, b] = cut_triangle(mesh, piece.primitive(), piece.box, split.axis, split.plane);
       if (!is_empty(a)) left = merge(left, a), ++left_count;
       if (!is_empty(b)) right = merge(right, b), ++right_count;
     }

@@ -7,7 +7,6 @@
 #include <glm/common.hpp>
 #include <glm/vector_relational.hpp>
 
-#include "lkao/occluder_bvh.h"
 #include "support/meshes.h"
 
 namespace lkao::bvh {
@@ -22,8 +21,7 @@ Bounds bounds_of(const Box& b) { return {{b.lower[0], b.lower[1], b.lower[2]}, {
 // One triangle, to be cut.
 class Cutter {
  public:
-  explicit Cutter(const glm::vec3 (&corners)[3])
-      : positions_{corners[0], corners[1], corners[2]}, mesh_({positions_, triangles_}) {}
+  explicit Cutter(const glm::vec3 (&corners)[3]) : mesh_{{corners[0], corners[1], corners[2]}, {{0, 1, 2}}} {}
 
   Split clip(const Bounds& piece, int axis, float position) {
     const Box box{{piece.lower.x, piece.lower.y, piece.lower.z, 0}, {piece.upper.x, piece.upper.y, piece.upper.z, 0}};
@@ -32,9 +30,7 @@ class Cutter {
   }
 
  private:
-  const glm::vec3 positions_[3];
-  const glm::uvec3 triangles_[1] = {{0, 1, 2}};
-  TriangleMesh mesh_;
+  PackedMesh mesh_;
 };
 
 Split clip(const glm::vec3 (&corners)[3], const Bounds& piece, int axis, float position) {
@@ -113,9 +109,7 @@ TEST(TriangleClip, PlaneThroughACornerCutsThere) {
 }
 
 TEST(TriangleClip, CutsEachTriangleOfAMesh) {
-  const glm::vec3 positions[] = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 8, 0}};
-  const glm::uvec3 triangles[] = {{0, 1, 2}, {0, 1, 3}};
-  const TriangleMesh mesh{positions, triangles};
+  const PackedMesh mesh{{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 8, 0}}, {{0, 1, 2}, {0, 1, 3}}};
   for (const std::uint32_t primitive : {0u, 1u, 0u}) {
     const float height = primitive == 0 ? 4.0f : 8.0f;
     for (const int axis : {0, 1}) {

@@ -1,6 +1,5 @@
 #include "gpu/rounding.h"
 
-#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstddef>
@@ -11,9 +10,12 @@ namespace lkao::gl::tests {
 namespace {
 
 bool is_explained(const TriangleMesh& mesh, const glm::vec3& origin, const glm::vec3& ray) {
-  return std::any_of(mesh.triangles.begin(), mesh.triangles.end(), [&](const glm::uvec3& t) {
-    return is_close_call(mesh.positions[t.x], mesh.positions[t.y], mesh.positions[t.z], origin, ray, kRounding);
-  });
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const glm::uvec3 t = mesh.triangles[i];
+    if (is_close_call(mesh.positions[t.x], mesh.positions[t.y], mesh.positions[t.z], origin, ray, kRounding))
+      return true;
+  }
+  return false;
 }
 
 }  // namespace

@@ -29,7 +29,7 @@ class Check {
       : case_(hard_case),
         occluders_(hard_case.mesh.view()),
         table_(hard_case.pattern, {.resolution = 32}),
-        rivals_(make_rivals(hard_case.mesh.view())),
+        rivals_(make_rivals(hard_case.mesh)),
         of_rivals_(rivals_.size()) {
     // Where they judge areas by rounded numbers, they may call more of them zero, never fewer.
     const Oracle oracle(case_.mesh.view(), Sidedness::two_sided);

@@ -5,9 +5,8 @@
 
 namespace lkao::tests {
 
-std::vector<Rival> make_rivals(const TriangleMesh& mesh) {
-  const scene::Mesh copy{{mesh.positions.begin(), mesh.positions.end()},
-                         {mesh.triangles.begin(), mesh.triangles.end()}};
+std::vector<Rival> make_rivals(const Mesh& mesh) {
+  const scene::Mesh copy{mesh.positions, mesh.triangles};
   std::vector<Rival> rivals;
   for (bool robust : {false, true}) {
     const auto embree = std::make_shared<reference::EmbreeReference>(copy, reference::ReferenceOptions{robust});

@@ -2,6 +2,6 @@
 
 namespace lkao::tests {
 
-std::vector<Rival> make_rivals(const TriangleMesh&) { return {}; }
+std::vector<Rival> make_rivals(const Mesh&) { return {}; }
 
 }  // namespace lkao::tests

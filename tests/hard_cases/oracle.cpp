@@ -108,8 +108,8 @@ bool has_exactly_zero_area(const glm::vec3& a, const glm::vec3& b, const glm::ve
 
 Oracle::Oracle(const TriangleMesh& mesh, Sidedness sidedness) : mesh_(mesh), sidedness_(sidedness) {
   for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
-    const glm::uvec3& t = mesh.triangles[i];
-    const glm::vec3 &a = mesh.positions[t.x], &b = mesh.positions[t.y], &c = mesh.positions[t.z];
+    const glm::uvec3 t = mesh.triangles[i];
+    const glm::vec3 a = mesh.positions[t.x], b = mesh.positions[t.y], c = mesh.positions[t.z];
     if (!is_finite(a) || !is_finite(b) || !is_finite(c)) continue;
     if (has_exactly_zero_area(a, b, c)) {
       ++zero_area_count_;
@@ -124,7 +124,7 @@ Oracle::Oracle(const TriangleMesh& mesh, Sidedness sidedness) : mesh_(mesh), sid
 }
 
 SeenTriangle Oracle::seen(const Candidate& candidate, const glm::vec3& origin) const {
-  const glm::uvec3& t = mesh_.triangles[candidate.primitive];
+  const glm::uvec3 t = mesh_.triangles[candidate.primitive];
   return SeenTriangle(mesh_.positions[t.x], mesh_.positions[t.y], mesh_.positions[t.z], origin);
 }
 

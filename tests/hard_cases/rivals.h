@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "lkao/ambient_occlusion.h"
+#include "support/meshes.h"
 
 namespace lkao::tests {
 
@@ -15,6 +16,6 @@ struct Rival {
   std::function<OcclusionMask(const AmbientOcclusion& ao, const Receiver& receiver, std::uint64_t index)> mask;
 };
 
-std::vector<Rival> make_rivals(const TriangleMesh& mesh);
+std::vector<Rival> make_rivals(const Mesh& mesh);
 
 }  // namespace lkao::tests

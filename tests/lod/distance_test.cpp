@@ -13,8 +13,8 @@ namespace lkao::lod {
 namespace {
 
 Distance distance(const scene::Mesh& from, const scene::Mesh& to, double spacing) {
-  const Surface surface(to.view());
-  return sum(triangle_distances(from.view(), surface, {.spacing = spacing, .most_per_triangle = 1e9}));
+  const Surface surface(to);
+  return sum(triangle_distances(from, surface, {.spacing = spacing, .most_per_triangle = 1e9}));
 }
 
 scene::Mesh square(float height, float size = 1) {
@@ -90,10 +90,10 @@ TEST(Distance, FindsAPeakBetweenTheVertices) {
 
 TEST(Distance, TheBoundHoldsHoweverFewTheSamples) {
   const scene::Mesh from = wavy_grid(3), to = wavy_grid(40);
-  const Surface surface(to.view());
+  const Surface surface(to);
   const double truth = distance(from, to, 0.002).maximum;
   for (const double most : {1.0, 4.0, 50.0}) {
-    const Distance d = sum(triangle_distances(from.view(), surface, {.spacing = 0.01, .most_per_triangle = most}));
+    const Distance d = sum(triangle_distances(from, surface, {.spacing = 0.01, .most_per_triangle = most}));
     EXPECT_LE(d.maximum, truth + 1e-12);
     EXPECT_GE(d.bound, truth);
     EXPECT_LE(d.sample_count, from.triangles.size() * static_cast<std::size_t>(most) + from.positions.size());
@@ -102,7 +102,7 @@ TEST(Distance, TheBoundHoldsHoweverFewTheSamples) {
 
 TEST(Distance, AgreesWithTryingEveryTriangle) {
   const scene::Mesh mesh = wavy_grid(12);
-  const Surface surface(mesh.view());
+  const Surface surface(mesh);
   for (int i = 0; i < 300; ++i) {
     const glm::dvec3 p(std::fmod(0.37 * i, 1.6) - 0.3, std::fmod(0.11 * i, 0.9) - 0.4, std::fmod(0.53 * i, 1.4) - 0.2);
     double best = 1e9;

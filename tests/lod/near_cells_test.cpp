@@ -29,7 +29,7 @@ std::vector<glm::dvec3> points_around(double distance) {
 
 TEST(NearCells, AnswerAsTheSurfaceDoes) {
   const scene::Mesh mesh = wavy_grid(30);
-  const Surface surface(mesh.view());
+  const Surface surface(mesh);
   for (const double distance : {0.003, 0.02, 0.3}) {
     const std::vector<glm::dvec3> points = points_around(distance);
     // With room for all cells, and for so few that they keep driving each other out.
@@ -50,7 +50,7 @@ TEST(NearCells, AnswerAsTheSurfaceDoes) {
 
 TEST(NearCells, AnswerSeveralThreads) {
   const scene::Mesh mesh = wavy_grid(30);
-  const Surface surface(mesh.view());
+  const Surface surface(mesh);
   const double distance = 0.02;
   const std::vector<glm::dvec3> points = points_around(distance);
   const NearCells cells(surface, distance, {0, -0.05, 0}, 1);

@@ -31,7 +31,7 @@ void expect_good_chain(const scene::Mesh& mesh, const Simplified& result) {
   expect_accounted_for(result.report);
   scene::Mesh usable = mesh;
   scene::drop_bad_triangles(usable);
-  const Surface original(usable.view());
+  const Surface original(usable);
   ASSERT_EQ(result.report.levels.size(), result.chain.levels.size());
   EXPECT_EQ(result.chain.levels[0].mesh.positions.size(), mesh.positions.size());
   EXPECT_EQ(result.chain.levels[0].mesh.triangles, mesh.triangles);
@@ -46,9 +46,9 @@ void expect_good_chain(const scene::Mesh& mesh, const Simplified& result) {
     EXPECT_EQ(defects.zero_area_count + defects.non_finite_count + defects.unused_vertex_count, 0u);
     // Between samples, no more than the bound says.
     const Sampling sampling{.spacing = report.spacing * 0.7, .most_per_triangle = 2000};
-    const Surface simplified(level.mesh.view());
-    const Distance to_original = sum(triangle_distances(level.mesh.view(), original, sampling));
-    const Distance from_original = sum(triangle_distances(usable.view(), simplified, sampling));
+    const Surface simplified(level.mesh);
+    const Distance to_original = sum(triangle_distances(level.mesh, original, sampling));
+    const Distance from_original = sum(triangle_distances(usable, simplified, sampling));
     EXPECT_LE(to_original.maximum, report.to_original.bound);
     EXPECT_LE(from_original.maximum, report.from_original.bound);
   }
@@ -94,7 +94,7 @@ TEST(Simplify, ASlitStaysOpen) {
   const Simplified result = simplify(mesh, options(0.03f, 2));
   expect_good_chain(mesh, result);
   EXPECT_LT(result.report.levels[1].triangle_count, 40u);
-  const Surface level(result.chain.levels[1].mesh.view());
+  const Surface level(result.chain.levels[1].mesh);
   for (const double z : {0.1, 0.3, 0.5, 0.6}) EXPECT_GT(level.nearest({0.475, 0, z}).distance, 0.01) << z;
 }
 
@@ -117,7 +117,7 @@ TEST(Simplify, NothingVanishes) {
   expect_good_chain(mesh, result);
   EXPECT_EQ(result.report.small_part_count, 1u);
   for (const Level& level : result.chain.levels) {
-    const Surface surface(level.mesh.view());
+    const Surface surface(level.mesh);
     for (int i = 0; i < 5; ++i) EXPECT_LT(surface.nearest({i, 0, 0}).distance, 0.011);
     EXPECT_LT(surface.nearest({0, 5, 0}).distance, 1e-9);
   }

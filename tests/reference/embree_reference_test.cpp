@@ -188,7 +188,7 @@ TEST(EmbreeReference, IndexOutOfRangeIsNamed) {
     const EmbreeReference reference(mesh);
     FAIL() << "nothing was thrown";
   } catch (const std::invalid_argument& error) {
-    EXPECT_STREQ(error.what(), "triangle 1: index 4 is outside the 4 positions");
+    EXPECT_STREQ(error.what(), "triangle 1 has index 4, but there are 4 positions");
   }
 }
 

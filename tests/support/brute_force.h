@@ -15,8 +15,8 @@ inline OcclusionMask brute_force_mask(const TriangleMesh& mesh, const ReceiverRa
                                       std::uint32_t excluded_primitive = kNoPrimitive) {
   OcclusionMask blocked;
   for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
-    const glm::uvec3& t = mesh.triangles[i];
-    const glm::vec3 &a = mesh.positions[t.x], &b = mesh.positions[t.y], &c = mesh.positions[t.z];
+    const glm::uvec3 t = mesh.triangles[i];
+    const glm::vec3 a = mesh.positions[t.x], b = mesh.positions[t.y], c = mesh.positions[t.z];
     if (i == excluded_primitive || !lut::is_in_range(a, b, c) || bvh::has_zero_area(a, b, c)) continue;
     const bvh::TriangleTest test(a, b, c, rays.origin, rays.radius, options.sidedness);
     if (!test.can_block()) continue;
