@@ -59,30 +59,29 @@ AmbientOcclusion::AmbientOcclusion(OccluderBvh occluders, PlaneMaskTable table, 
 
 ReceiverOcclusion AmbientOcclusion::query(const Receiver& receiver, std::uint64_t index) const {
   ReceiverRays rays;
-  this->rays(receiver, index, rays);
-  const OcclusionMask blocked = query::Tracer::Visit(*tracer_).trace(rays, receiver.excluded_primitive);
+  const OcclusionMask blocked = query::Tracer::Visit(*tracer_).trace(receiver, index, rays);
   return query::make_answer(pattern_, receiver, rays, blocked);
 }
 
 OcclusionMask AmbientOcclusion::blocked(const Receiver& receiver, std::uint64_t index) const {
   ReceiverRays rays;
-  this->rays(receiver, index, rays);
-  return query::Tracer::Visit(*tracer_).trace(rays, receiver.excluded_primitive);
+  return query::Tracer::Visit(*tracer_).trace(receiver, index, rays);
 }
 
 QueryReport AmbientOcclusion::query(std::span<const Receiver> receivers, const QueryOutputs& outputs,
                                     std::uint64_t first_index, const Progress& progress) const {
-  const auto answer_part = [&](std::size_t first, std::size_t last, const auto& take) {
-    const Bounds origins = query::bounds_of_origins(receivers.subspan(first, last - first), options(),
-                                                    tracer_->extent().largest_coordinate);
-    query::Tracer::Visit visit(*tracer_, origins);
+  query::require_sizes(outputs, receivers.size(), pattern_.word_count());
+  return query::answer_in_parts(receivers.size(), progress, [&](std::size_t first, std::size_t last) {
+    query::Tracer::Visit visit(*tracer_, query::bounds_of(receivers.subspan(first, last - first)));
     ReceiverRays rays;
+    QueryReport report;
     for (std::size_t k = first; k < last; ++k) {
-      this->rays(receivers[k], first_index + k, rays);
-      take(k, rays, visit.trace(rays, receivers[k].excluded_primitive));
+      const OcclusionMask blocked = visit.trace(receivers[k], first_index + k, rays);
+      query::store(outputs, k, pattern_, receivers[k], rays, blocked);
+      query::count(report, rays, blocked);
     }
-  };
-  return query::run_batch(pattern_, receivers, outputs, answer_part, progress);
+    return report;
+  });
 }
 
 ReceiverRays AmbientOcclusion::rays(const Receiver& receiver, std::uint64_t index) const {
@@ -92,7 +91,7 @@ ReceiverRays AmbientOcclusion::rays(const Receiver& receiver, std::uint64_t inde
 }
 
 void AmbientOcclusion::rays(const Receiver& receiver, std::uint64_t index, ReceiverRays& rays) const {
-  query::make_rays(receiver, tracer_->lanes(), options(), tracer_->extent(), index, rays);
+  tracer_->make_rays(receiver, index, rays);
 }
 
 const OccluderBvh& AmbientOcclusion::occluders() const { return tracer_->first_occluders(); }

@@ -1,4 +1,4 @@
-// Memories of blockers, lent to whoever traces: one to a thread at a time.
+// Memories of blockers, lent to threads while they trace.
 #pragma once
 
 #include <array>
@@ -11,8 +11,8 @@
 
 namespace lkao::query {
 
-// Of the levels of one query. A thread gets back what it had last, as long as threads are few; none waits for another.
-// At most kSlotCount of them are kept, for as long as this lives: not for the life of threads.
+// One memory for each thread and level of one query. A thread gets back the one that it had last, as long as there are
+// at most kSlotCount threads; none ever waits for another. Memories live as long as this, not as long as threads.
 class BlockerMemories {
  public:
   using Levels = std::vector<bvh::BlockerMemory>;
@@ -22,13 +22,13 @@ class BlockerMemories {
   BlockerMemories(const BlockerMemories&) = delete;
   BlockerMemories& operator=(const BlockerMemories&) = delete;
 
-  // Goes back at the end of its life.
+  // Given back when it is destroyed.
   class Loan {
    public:
     explicit Loan(BlockerMemories& memories);
     Loan(const Loan&) = delete;
     Loan& operator=(const Loan&) = delete;
-    // Where another thread with the same slot was faster, that one's is forgotten.
+    // Where a thread with the same slot has given one back meanwhile, that one is deleted.
     ~Loan() { delete slot_.exchange(levels_.release(), std::memory_order_acq_rel); }
 
     bvh::BlockerMemory& operator[](std::size_t level) { return (*levels_)[level]; }

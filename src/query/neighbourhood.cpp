@@ -7,7 +7,6 @@
 
 #include "lut/coordinates.h"
 #include "query/answer.h"
-#include "query/receiver_rays.h"
 #include "query/tracer.h"
 
 namespace lkao {
@@ -23,9 +22,7 @@ bool holds(const Bounds& box, const glm::vec3& p) {
 struct Neighbourhood::State {
   // `ao` keeps the tracer alive that `visit` is about.
   State(const AmbientOcclusion& the_ao, const query::Tracer& tracer, const Bounds& the_positions)
-      : ao(the_ao),
-        positions(the_positions),
-        visit(tracer, query::bounds_of_origins(the_positions, tracer.options(), tracer.extent().largest_coordinate)) {}
+      : ao(the_ao), positions(the_positions), visit(tracer, the_positions) {}
 
   AmbientOcclusion ao;
   Bounds positions;
@@ -40,14 +37,13 @@ Neighbourhood& Neighbourhood::operator=(Neighbourhood&&) noexcept = default;
 
 ReceiverOcclusion Neighbourhood::query(const Receiver& receiver, std::uint64_t index) {
   if (!holds(state_->positions, receiver.position)) return state_->ao.query(receiver, index);
-  const OcclusionMask mask = blocked(receiver, index);
-  return query::make_answer(state_->ao.pattern(), receiver, state_->rays, mask);
+  const OcclusionMask blocked = state_->visit.trace(receiver, index, state_->rays);
+  return query::make_answer(state_->ao.pattern(), receiver, state_->rays, blocked);
 }
 
 OcclusionMask Neighbourhood::blocked(const Receiver& receiver, std::uint64_t index) {
   if (!holds(state_->positions, receiver.position)) return state_->ao.blocked(receiver, index);
-  state_->ao.rays(receiver, index, state_->rays);
-  return state_->visit.trace(state_->rays, receiver.excluded_primitive);
+  return state_->visit.trace(receiver, index, state_->rays);
 }
 
 Neighbourhood AmbientOcclusion::around(const Bounds& positions) const {

@@ -16,6 +16,9 @@
 namespace lkao::query {
 namespace {
 
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+constexpr Bounds kNowhere{glm::vec3(kInfinity), glm::vec3(-kInfinity)};
+
 // Normals may have any length: the arithmetic is in double, where no float overflows.
 bool is_direction(const glm::vec3& v) { return lut::is_finite(v) && v != glm::vec3(0); }
 
@@ -73,8 +76,7 @@ glm::mat3 jittered_frame(const Receiver& receiver, const Jitter& jitter, float l
 }
 
 OccluderExtent extent_of(std::span<const Level> levels) {
-  constexpr float kInfinity = std::numeric_limits<float>::infinity();
-  OccluderExtent extent{{glm::vec3(kInfinity), glm::vec3(-kInfinity)}, 0};
+  OccluderExtent extent{kNowhere, 0};
   for (const Level& level : levels) {
     const Bounds& bounds = level.occluders.bounds();
     extent.bounds = {glm::min(extent.bounds.lower, bounds.lower), glm::max(extent.bounds.upper, bounds.upper)};
@@ -87,9 +89,7 @@ OccluderExtent extent_of(std::span<const Level> levels) {
 }
 
 PatternLanes::PatternLanes(const SamplePattern& pattern, bool is_unbounded)
-    : length(pattern.lengths().begin(), pattern.lengths().end()),
-      lowest_elevation(pattern.lowest_elevation()),
-      cones(bvh::make_pattern_cones(pattern.directions())) {
+    : length(pattern.lengths().begin(), pattern.lengths().end()), lowest_elevation(pattern.lowest_elevation()) {
   for (const glm::vec3& direction : pattern.directions()) {
     x.push_back(direction.x);
     y.push_back(direction.y);
@@ -100,20 +100,20 @@ PatternLanes::PatternLanes(const SamplePattern& pattern, bool is_unbounded)
   }
 }
 
-Bounds bounds_of_origins(std::span<const Receiver> receivers, const RayOptions& options, float largest_coordinate) {
-  Bounds bounds{glm::vec3(std::numeric_limits<float>::infinity()), glm::vec3(-std::numeric_limits<float>::infinity())};
+Bounds bounds_of(std::span<const Receiver> receivers) {
+  Bounds bounds = kNowhere;
   for (const Receiver& receiver : receivers) {
     if (!lut::is_in_range(receiver.position)) continue;
-    // Twice the offset: rounding included.
-    const glm::vec3 offset(2 * offset_of(receiver.position, options, largest_coordinate));
-    bounds.lower = glm::min(bounds.lower, receiver.position - offset);
-    bounds.upper = glm::max(bounds.upper, receiver.position + offset);
+    bounds.lower = glm::min(bounds.lower, receiver.position);
+    bounds.upper = glm::max(bounds.upper, receiver.position);
   }
   return bounds;
 }
 
 Bounds bounds_of_origins(const Bounds& positions, const RayOptions& options, float largest_coordinate) {
+  if (!(positions.lower.x <= positions.upper.x)) return kNowhere;
   const glm::vec3 farthest = glm::max(glm::abs(positions.lower), glm::abs(positions.upper));
+  // Twice the offset: rounding included.
   const glm::vec3 offset(2 * offset_of(farthest, options, largest_coordinate));
   return {positions.lower - offset, positions.upper + offset};
 }

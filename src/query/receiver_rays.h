@@ -8,7 +8,6 @@
 #include <span>
 #include <vector>
 
-#include "bvh/pattern_cones.h"
 #include "lkao/ambient_occlusion.h"
 #include "query/levels.h"
 
@@ -40,13 +39,12 @@ struct PatternLanes {
 
   std::vector<float> x, y, z, length;
   float lowest_elevation;
-  bvh::PatternCones cones;
 };
 
-// A box around the origins of the rays of all valid receivers; lower > upper where there is none.
-Bounds bounds_of_origins(std::span<const Receiver> receivers, const RayOptions& options, float largest_coordinate);
+// A box around all positions that are in range; lower > upper where there is none.
+Bounds bounds_of(std::span<const Receiver> receivers);
 
-// The same for receivers anywhere in a box.
+// A box around the origins of the rays of receivers anywhere in the box `positions`. Empty where that is.
 Bounds bounds_of_origins(const Bounds& positions, const RayOptions& options, float largest_coordinate);
 
 // A radius that no point of `occluders` is farther away than from `origin`: a power of two, so that rays of this length

@@ -16,12 +16,17 @@ Tracer::Tracer(std::span<const OccluderLevel> levels, const SamplePattern& patte
       levels_(make_levels(levels, pattern, options.radius)),
       extent_(extent_of(levels_)),
       lanes_(pattern, std::isinf(options.radius)),
+      cones_(bvh::make_pattern_cones(pattern.directions())),
       kernel_(kernel),
       memories_(levels_.size()) {}
 
 const PlaneMaskTable* Tracer::table() const {
   const auto* const by_table = std::get_if<ByTable>(&kernel_);
   return by_table != nullptr ? &by_table->table : nullptr;
+}
+
+void Tracer::make_rays(const Receiver& receiver, std::uint64_t index, ReceiverRays& rays) const {
+  query::make_rays(receiver, lanes_, options_, extent_, index, rays);
 }
 
 bool Tracer::is_simd() const {
@@ -33,7 +38,8 @@ Tracer::Visit::Visit(const Tracer& tracer) : tracer_(tracer) {
   if (tracer.is_simd()) memories_.emplace(tracer.memories_);
 }
 
-Tracer::Visit::Visit(const Tracer& tracer, const Bounds& origins) : Visit(tracer) {
+Tracer::Visit::Visit(const Tracer& tracer, const Bounds& positions) : Visit(tracer) {
+  const Bounds origins = bounds_of_origins(positions, tracer.options_, tracer.extent_.largest_coordinate);
   // More entries cost each receiver more tests, which only many rays earn back.
   const bool is_worth_more = tracer.is_simd() && tracer.lanes_.x.size() >= 256;
   const int most_children = is_worth_more ? bvh::EntryNodes::kMostChildren : bvh::kWidth;
@@ -44,10 +50,16 @@ Tracer::Visit::Visit(const Tracer& tracer, const Bounds& origins) : Visit(tracer
   }
 }
 
-OcclusionMask Tracer::Visit::trace(const ReceiverRays& rays, std::uint32_t excluded_primitive) {
+OcclusionMask Tracer::Visit::trace(const Receiver& receiver, std::uint64_t index, ReceiverRays& rays) {
+  tracer_.make_rays(receiver, index, rays);
   if (!rays.cast.any()) return {};
   const std::vector<Level>& levels = tracer_.levels_;
-  if (levels.size() == 1 && levels[0].is_whole()) return trace_level(0, rays, rays.cast, nullptr, excluded_primitive);
+  if (levels.size() > 1 || !levels[0].is_whole()) return trace_levels(rays, receiver.excluded_primitive);
+  return trace_level(0, rays, rays.cast, nullptr, receiver.excluded_primitive);
+}
+
+OcclusionMask Tracer::Visit::trace_levels(const ReceiverRays& rays, std::uint32_t excluded_primitive) {
+  const std::vector<Level>& levels = tracer_.levels_;
   OcclusionMask blocked;
   for (std::size_t i = 0; i < levels.size(); ++i) {
     const Level& level = levels[i];
@@ -81,7 +93,7 @@ OcclusionMask Tracer::Visit::trace_level(std::size_t level, const ReceiverRays& 
   if (const auto* const by_table = std::get_if<ByTable>(&tracer_.kernel_)) {
     return bvh::trace_table(layout, query, by_table->table, by_table->node_masks);
   }
-  return tracer_.is_simd() ? bvh::trace_simd(layout, query, tracer_.lanes_.cones) : bvh::trace_scalar(layout, query);
+  return tracer_.is_simd() ? bvh::trace_simd(layout, query, tracer_.cones_) : bvh::trace_scalar(layout, query);
 }
 
 }  // namespace lkao::query

@@ -1,4 +1,4 @@
-// From the rays of a receiver to those that the occluders of all levels block.
+// From a receiver to its rays, and to those of them that the occluders of all levels block.
 #pragma once
 
 #include <cstdint>
@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "bvh/entry_nodes.h"
+#include "bvh/pattern_cones.h"
 #include "lkao/ambient_occlusion.h"
 #include "query/blocker_memories.h"
 #include "query/levels.h"
@@ -25,34 +26,36 @@ using AnyKernel = std::variant<Kernel, ByTable>;
 // All that an AmbientOcclusion has prepared. Any number of threads may use it, each through a Visit of its own.
 class Tracer {
  public:
-  // Nothing is checked here.
+  // The arguments must have been checked.
   Tracer(std::span<const OccluderLevel> levels, const SamplePattern& pattern, const RayOptions& options,
          const AnyKernel& kernel);
 
   const RayOptions& options() const { return options_; }
   const OccluderBvh& first_occluders() const { return levels_.front().occluders; }
-  const OccluderExtent& extent() const { return extent_; }
-  const PatternLanes& lanes() const { return lanes_; }
   const PlaneMaskTable* table() const;
 
-  // What one thread needs to trace receivers one after the other: where to enter each hierarchy, and what blocked rays
-  // before.
+  // The rays that a receiver of this index casts.
+  void make_rays(const Receiver& receiver, std::uint64_t index, ReceiverRays& rays) const;
+
+  // What one thread needs to trace receivers one after the other: the nodes where it enters each hierarchy, and its
+  // memory of what blocked rays before.
   class Visit {
    public:
-    // To any receivers: enters at the roots.
+    // For receivers anywhere: enters at the roots.
     explicit Visit(const Tracer& tracer);
-    // To receivers whose rays begin within `origins`.
-    Visit(const Tracer& tracer, const Bounds& origins);
+    // For receivers that lie within the box `positions`.
+    Visit(const Tracer& tracer, const Bounds& positions);
 
-    // Of the rays that are cast, those that are blocked.
-    OcclusionMask trace(const ReceiverRays& rays, std::uint32_t excluded_primitive);
+    // Makes the rays that the receiver casts; returns those that are blocked.
+    OcclusionMask trace(const Receiver& receiver, std::uint64_t index, ReceiverRays& rays);
 
    private:
+    OcclusionMask trace_levels(const ReceiverRays& rays, std::uint32_t excluded_primitive);
     OcclusionMask trace_level(std::size_t level, const ReceiverRays& rays, const OcclusionMask& open,
                               const bvh::RayParts* parts, std::uint32_t excluded_primitive);
 
     const Tracer& tracer_;
-    std::vector<bvh::EntryNodes> entries_;  // by level; none: the roots
+    std::vector<bvh::EntryNodes> entries_;  // one for each level; empty: enter at the roots
     std::optional<BlockerMemories::Loan> memories_;
   };
 
@@ -63,6 +66,7 @@ class Tracer {
   std::vector<Level> levels_;
   OccluderExtent extent_;
   PatternLanes lanes_;
+  bvh::PatternCones cones_;
   AnyKernel kernel_;
   mutable BlockerMemories memories_;
 };

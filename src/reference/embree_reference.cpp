@@ -119,13 +119,17 @@ ReceiverOcclusion EmbreeReference::query(const AmbientOcclusion& ao, const Recei
 
 QueryReport EmbreeReference::query(const AmbientOcclusion& ao, std::span<const Receiver> receivers,
                                    const QueryOutputs& outputs, std::uint64_t first_index) const {
-  const auto answer_part = [&](std::size_t first, std::size_t last, const auto& take) {
+  query::require_sizes(outputs, receivers.size(), ao.pattern().word_count());
+  return query::answer_in_parts(receivers.size(), {}, [&](std::size_t first, std::size_t last) {
     ReceiverRays rays;
+    QueryReport report;
     for (std::size_t k = first; k < last; ++k) {
-      take(k, rays, trace(*scene_, casting_, ao, receivers[k], first_index + k, rays));
+      const OcclusionMask blocked = trace(*scene_, casting_, ao, receivers[k], first_index + k, rays);
+      query::store(outputs, k, ao.pattern(), receivers[k], rays, blocked);
+      query::count(report, rays, blocked);
     }
-  };
-  return query::run_batch(ao.pattern(), receivers, outputs, answer_part);
+    return report;
+  });
 }
 
 }  // namespace lkao::reference
