@@ -23,9 +23,10 @@ AmbientOcclusion query_of(const tests::Mesh& mesh, const RayOptions& options, in
   return {OccluderBvh(mesh.view()), SamplePattern::standard(ray_count), options};
 }
 
-std::string error_of(const RayOptions& options) {
+template <typename Call>
+std::string error_of(const Call& call) {
   try {
-    query_of(tests::closed_box(), options);
+    call();
   } catch (const std::invalid_argument& error) {
     return error.what();
   }
@@ -33,27 +34,35 @@ std::string error_of(const RayOptions& options) {
 }
 
 TEST(Query, NamesABadOption) {
-  EXPECT_EQ(error_of({.radius = 1}), "");
-  EXPECT_EQ(error_of({}), "radius must be greater than 0 and at most 1e18, or infinity, not 0");
-  EXPECT_EQ(error_of({.radius = -1}), "radius must be greater than 0 and at most 1e18, or infinity, not -1");
-  EXPECT_NE(error_of({.radius = kNaN}), "");
-  EXPECT_NE(error_of({.radius = 2e18f}), "");
-  EXPECT_EQ(error_of({.radius = INFINITY}), "");
-  EXPECT_EQ(error_of({.radius = 1, .jitter = {.rotation = 2}}), "jitter.rotation must be in [0, 1] turns, not 2");
-  EXPECT_NE(error_of({.radius = 1, .jitter = {.tilt = -0.1f}}), "");
-  EXPECT_NE(error_of({.radius = 1, .surface_offset = -1}), "");
-  EXPECT_NE(error_of({.radius = 1, .surface_offset = kNaN}), "");
+  const auto error_with = [](const RayOptions& options) {
+    return error_of([&] { query_of(tests::closed_box(), options); });
+  };
+  const std::string radius = "radius must be greater than 0 and at most 1e18, or infinity, not ";
+  EXPECT_EQ(error_with({.radius = 1}), "");
+  EXPECT_EQ(error_with({.radius = INFINITY}), "");
+  EXPECT_EQ(error_with({}), radius + "0");
+  EXPECT_EQ(error_with({.radius = -1}), radius + "-1");
+  EXPECT_EQ(error_with({.radius = -INFINITY}), radius + "-inf");
+  EXPECT_EQ(error_with({.radius = kNaN}), radius + "nan");
+  EXPECT_EQ(error_with({.radius = 0x1p60f}), radius + "1.152921504606847e+18");
+  EXPECT_EQ(error_with({.radius = 1, .jitter = {.rotation = 2}}), "jitter.rotation must be in [0, 1] turns, not 2");
+  EXPECT_EQ(error_with({.radius = 1, .jitter = {.tilt = -0.5f}}), "jitter.tilt must be in [0, pi/2] radians, not -0.5");
+  EXPECT_EQ(error_with({.radius = 1, .surface_offset = -1}), "surface_offset must be finite and at least 0, not -1");
+  EXPECT_EQ(error_with({.radius = 1, .surface_offset = kNaN}), "surface_offset must be finite and at least 0, not nan");
 }
 
 TEST(Query, NamesOutputsOfTheWrongSize) {
   const AmbientOcclusion ao = query_of(tests::closed_box(), {.radius = 1});
   const std::vector<Receiver> receivers(3, {.position = {}, .normal = {0, 0, 1}});
   std::vector<float> occlusion(2);
+  std::vector<glm::vec3> bent_normals(4);
   std::vector<std::uint64_t> words(3);
-  EXPECT_THROW(ao.query(receivers, {.occlusion = occlusion}), std::invalid_argument);
-  EXPECT_THROW(ao.query(receivers, {.mask_words = words}), std::invalid_argument);
+  const auto error_with = [&](const QueryOutputs& outputs) { return error_of([&] { ao.query(receivers, outputs); }); };
+  EXPECT_EQ(error_with({.occlusion = occlusion}), "outputs.occlusion has 2 entries, not 0 or 3");
+  EXPECT_EQ(error_with({.bent_normals = bent_normals}), "outputs.bent_normals has 4 entries, not 0 or 3");
+  EXPECT_EQ(error_with({.mask_words = words}), "outputs.mask_words has 3 entries, not 0 or 6");
   words.resize(6);
-  EXPECT_NO_THROW(ao.query(receivers, {.mask_words = words}));
+  EXPECT_EQ(error_with({.mask_words = words}), "");
 }
 
 TEST(Query, InvalidReceiversAnswerNaNAndAreCounted) {
