@@ -8,8 +8,8 @@
 namespace lkao::bvh {
 
 // Nodes that stand above all that rays of the length `radius` can meet from origins within `origins`: their children
-// are up to `most_children` nodes and leaves, from as deep in the hierarchy as that allows. Receivers near one another
-// share what is above; where they are far apart, or the radius is large, it is little better than the root.
+// are up to `most_children` nodes and leaves, from as deep in the hierarchy as that allows. So neighbouring receivers
+// skip what lies above; where they are far apart, or the radius is large, that is little.
 class EntryNodes {
  public:
   static constexpr int kMostChildren = 32;

@@ -10,7 +10,7 @@
 
 namespace lkao::bvh {
 
-// Vectors of triangles that hold so many: what leaves cost.
+// What leaves over so many pieces cost: a test for every 4 triangles.
 inline float leaf_cost(std::size_t piece_count) {
   const std::size_t leaf_count = (piece_count + 3) / 4;
   return static_cast<float>(leaf_count);
@@ -39,12 +39,12 @@ class CenterMap {
 };
 
 struct ObjectSplit {
-  float cost = std::numeric_limits<float>::infinity();  // areas of the children by their leaf_cost; infinite: none
+  float cost = std::numeric_limits<float>::infinity();  // sum of area x leaf_cost; infinite: no split
   int axis = 0, first_right_bin = 0;
   Box left = empty_box(), right = empty_box();
 };
 
-// Of pieces of a set with this map. Parts of a set may be binned apart and merged: no bit depends on how.
+// Bins over the pieces of one set. Parts of the set may be binned apart and merged: the result is the same to the bit.
 class ObjectBins {
  public:
   explicit ObjectBins(const CenterMap& map);

@@ -1,4 +1,4 @@
-// A triangle, or what spatial splits left of it in one place, while a hierarchy is built.
+// A triangle, or a part of one that spatial splits made, while a hierarchy is built.
 #pragma once
 
 #include <cstddef>
@@ -28,7 +28,7 @@ struct Piece {
   Lanes twice_center() const { return box.lower + box.upper; }
 };
 
-// Not touched before the builder does, where memory is only reserved.
+// Their allocator leaves reserved memory untouched until the builder writes to it.
 using Pieces = std::vector<Piece, HugePageAllocator<Piece>>;
 
 // Some pieces that lie one behind the other, and what bounds them.

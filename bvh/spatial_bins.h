@@ -40,7 +40,8 @@ struct SpatialSplit {
   Box left = empty_box(), right = empty_box();
 };
 
-// As ObjectBins. What boxes it makes of cut triangles is exact but for rounding, good enough to judge planes by.
+// As ObjectBins, for planes. Boxes of cut triangles are exact but for rounding: good enough to compare planes by, not
+// to bound what is cut.
 class SpatialBins {
  public:
   SpatialBins();

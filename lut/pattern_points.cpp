@@ -37,7 +37,7 @@ void sobol_coordinates(std::uint32_t index, std::uint32_t& x, std::uint32_t& y) 
   }
 }
 
-// Owen's nested scrambling: each bit is flipped by chance that hangs on all bits above it.
+// Owen's nested scrambling: each bit is flipped by chance that depends on all bits above it.
 std::uint32_t scramble(std::uint32_t fraction, std::uint64_t seed) {
   std::uint32_t scrambled = 0;
   for (std::uint32_t bit = 0; bit < 32; ++bit) {

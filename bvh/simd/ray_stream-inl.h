@@ -208,6 +208,7 @@ class RayStream {
   static HWY_INLINE std::uint32_t sign_of(float value) { return std::bit_cast<std::uint32_t>(value) >> 31; }
 
   HWY_NOINLINE void visit_leaves() {
+    // A copy: for all the compiler knows, stores to the lists could change what the reference refers to.
     const LeafReceiver receiver = receiver_;
     const int count = leaves_.count;
     // The last pair again, until the last vector is full.

@@ -72,9 +72,10 @@ struct QueryReport {
 // the float coordinates; a ray that passes an edge within the rounding of that (some 1e-15) counts as
 // blocked, so closed meshes do not leak. The same arguments give the same bits at any number of threads.
 //
-// Where most rays are blocked, as in rooms at a long radius, each thread remembers what blocked them and tries it
-// first: some 40 KiB a thread and level, 64 of them at most, shared by copies and gone with the last. Answers do not
-// depend on it: what it names is tested like any other triangle.
+// Where most rays are blocked, as in rooms at a long radius, each thread remembers which triangles blocked rays and
+// tests them first. That memory takes some 40 KiB for each thread and level of detail, for 64 threads at most; copies
+// share it, and it goes with the last of them. Answers do not depend on it: what it names is tested like any other
+// triangle.
 class AmbientOcclusion {
  public:
   // Throws std::invalid_argument, naming the option and its value, where one is out of range.
@@ -96,8 +97,9 @@ class AmbientOcclusion {
                    NodeMasks node_masks = NodeMasks::box_outline);
 
   // One receiver, in the calling thread. `index` with the seed gives the jitter: use the pixel, the vertex
-  // or the sample number. Allocates nothing but the thread's memory of blockers, once. Needs 120 KiB of stack and 2.5
-  // KiB for each level of the hierarchy (some 10; never more than 64), as all queries in the thread that runs them.
+  // or the sample number. Allocates nothing but the thread's memory of blockers, once. Needs 120 KiB of stack, and
+  // 2.5 KiB more for each level of nodes in the hierarchy (some 10; never more than 64). So does every other query, in
+  // each thread that runs it.
   ReceiverOcclusion query(const Receiver& receiver, std::uint64_t index) const;
 
   // The mask alone, for those who count its bits themselves: no bent normal is computed.

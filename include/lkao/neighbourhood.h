@@ -11,9 +11,10 @@
 
 namespace lkao {
 
-// What a renderer that shades point by point takes once a tile: single queries begin where the rays of the tile can
-// reach anything, as those of a batch do, and keep one memory of blockers. Made by AmbientOcclusion::around(), in some
-// microseconds and with a few kilobytes; copies nothing of the scene and keeps it alive.
+// For renderers that shade point by point, one for each tile of the image: its single queries begin at the nodes that
+// rays from the tile can reach, as those of a batch do, and share one memory of what blocked rays. Made by
+// AmbientOcclusion::around() in some microseconds; takes a few kilobytes; copies nothing of the scene and keeps it
+// alive.
 //
 // For one thread at a time; different ones may be used in different threads. Answers are those of AmbientOcclusion, bit
 // for bit. A receiver outside of the box is answered too, no faster than by AmbientOcclusion.

@@ -32,14 +32,14 @@ enum class Sidedness {
 struct Jitter {
   // Rotation about the normal, drawn evenly from [0, rotation) turns; in [0, 1].
   float rotation = 1.0f;
-  // Largest tilt of the pattern's axis, in radians; in [0, pi/2]. None by default: with a whole turn of rotation it
-  // hides no more structure and costs accuracy (lut/README.md). Never more than would bring the lowest ray to the
-  // horizon (SamplePattern::lowest_elevation), whatever is asked.
+  // Largest tilt of the pattern's axis, in radians; in [0, pi/2]. 0 by default: beside a whole turn of rotation a tilt
+  // hides no further banding, and costs accuracy (lut/README.md). Limited to what keeps the lowest ray above the
+  // horizon (SamplePattern::lowest_elevation).
   float tilt = 0.0f;
 };
 
 // The rays of every receiver and what they meet. The same values mean the same rays to the CPU's query and to the
-// OpenGL passes. Whoever takes them throws std::invalid_argument, naming the option and its value, where one is out of
+// OpenGL passes. What takes them throws std::invalid_argument, naming the option and its value, where one is out of
 // range.
 struct RayOptions {
   // AO radius: the length of the longest ray, in the unit of the positions. > 0, at most 1e18; or infinity: then every

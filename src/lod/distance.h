@@ -32,7 +32,7 @@ struct Distance {
 // Triangles to measure distances to, in a hierarchy of Embree's.
 class Surface {
  public:
-  // The mesh may go afterwards. It needs a triangle, and none of zero area or with a non-finite vertex.
+  // The mesh may go afterwards. It must have a triangle, and none of zero area or with a non-finite vertex.
   // Throws std::runtime_error where Embree fails.
   explicit Surface(const scene::Mesh& mesh);
   ~Surface();
@@ -43,10 +43,10 @@ class Surface {
     double distance = 0;
     std::uint32_t triangle = 0;
   };
-  // The nearest triangle (one of them where several are equally near). Where none is nearer than `limit`, infinity. Any
-  // thread.
+  // The nearest triangle, or one of several that are equally near; at an infinite distance where none is nearer than
+  // `limit`. May be called from any thread.
   Nearest nearest(const glm::dvec3& point, double limit = std::numeric_limits<double>::infinity()) const;
-  // The same, quicker where triangle `guess` is about as near.
+  // The same, sooner where triangle `guess` is about as near.
   Nearest nearest_from(const glm::dvec3& point, std::uint32_t guess) const;
   // True where some triangle is at most this far from the point. Any thread.
   bool is_within(const glm::dvec3& point, double distance) const;
