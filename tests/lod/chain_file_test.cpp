@@ -1,9 +1,9 @@
 #include "lod/chain_file.h"
 
-#include <gtest/gtest.h>
-
 #include <filesystem>
 #include <stdexcept>
+
+#include <gtest/gtest.h>
 
 #include "image/temporary_folder.h"
 #include "lod/meshes.h"

@@ -1,10 +1,10 @@
 #include "lod/chain.h"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+
+#include <gtest/gtest.h>
 
 namespace lkao::lod {
 namespace {

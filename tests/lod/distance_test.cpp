@@ -1,9 +1,9 @@
 #include "lod/distance.h"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <vector>
+
+#include <gtest/gtest.h>
 
 #include "lod/meshes.h"
 #include "lod/surface_samples.h"

@@ -1,11 +1,10 @@
 #include "lod/near_cells.h"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cstddef>
 #include <vector>
 
+#include <gtest/gtest.h>
 #include <tbb/parallel_for.h>
 
 #include "lod/meshes.h"

@@ -1,13 +1,13 @@
 // Chains as the methods take them.
 #include "lod/occluders.h"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
 #include <vector>
+
+#include <gtest/gtest.h>
 
 #include "lod/meshes.h"
 

@@ -1,8 +1,8 @@
 #include "lod/parts.h"
 
-#include <gtest/gtest.h>
-
 #include <limits>
+
+#include <gtest/gtest.h>
 
 #include "lod/meshes.h"
 #include "lod/triangle_pairs.h"

@@ -1,10 +1,10 @@
 #include "lod/regions.h"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cstddef>
 #include <map>
+
+#include <gtest/gtest.h>
 
 #include "lod/meshes.h"
 

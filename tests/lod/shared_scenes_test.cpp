@@ -1,7 +1,7 @@
 // Real meshes: what the report promises holds for them too.
-#include <gtest/gtest.h>
-
 #include <filesystem>
+
+#include <gtest/gtest.h>
 
 #include "lod/simplify.h"
 #include "scene/mesh_file.h"

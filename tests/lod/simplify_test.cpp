@@ -1,12 +1,11 @@
 #include "lod/simplify.h"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
 
+#include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
 #include "lod/meshes.h"

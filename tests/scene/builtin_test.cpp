@@ -1,14 +1,13 @@
 // Built-in scenes: counts, determinism, soundness, and that the halls are closed.
 #include "scene/builtin.h"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
 #include <ostream>
 #include <stdexcept>
 
 #include <glm/geometric.hpp>
+#include <gtest/gtest.h>
 
 #include "scene/defects.h"
 #include "scene/shapes.h"

@@ -1,12 +1,11 @@
 #include "scene/camera.h"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include <glm/geometric.hpp>
+#include <gtest/gtest.h>
 
 #include "scene/builtin.h"
 

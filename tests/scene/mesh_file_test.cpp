@@ -1,12 +1,11 @@
 // OBJ, STL, OFF, glTF and GLB in, and what is refused whatever the type.
 #include "scene/mesh_file.h"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <limits>
 
 #include <glm/geometric.hpp>
+#include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include "scene/defects.h"

@@ -1,13 +1,12 @@
 // Meshes in memory: bounds, normals, defects, radii, PLY out.
 #include "scene/mesh.h"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <limits>
 #include <sstream>
 
 #include <glm/geometric.hpp>
+#include <gtest/gtest.h>
 
 #include "bvh/usable_triangle.h"
 #include "scene/defects.h"

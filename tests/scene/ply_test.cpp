@@ -1,10 +1,10 @@
 // PLY in: encodings, property types, polygons, strips, and every way for a file to be cut short.
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+
+#include <gtest/gtest.h>
 
 #include "scene/defects.h"
 #include "scene/files.h"

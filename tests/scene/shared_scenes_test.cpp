@@ -1,8 +1,8 @@
 // The shared scenes, against the table of their README.
-#include <gtest/gtest.h>
-
 #include <filesystem>
 #include <ostream>
+
+#include <gtest/gtest.h>
 
 #include "scene/defects.h"
 #include "scene/mesh_file.h"
