@@ -18,9 +18,8 @@ class IndexView {
   IndexView() = default;
 
   // Of vectors, arrays and spans of glm::uvec3.
-  template <typename Triangles>
-  requires std::convertible_to<const Triangles&, std::span<const glm::uvec3>> IndexView(const Triangles& triangles)
-      : IndexView(std::span<const glm::uvec3>(triangles)) {}
+  template <std::convertible_to<std::span<const glm::uvec3>> Triangles>
+  IndexView(const Triangles& triangles) : IndexView(std::span<const glm::uvec3>(triangles)) {}
   IndexView(std::span<const glm::uvec3> triangles)
       : first_(reinterpret_cast<const std::byte*>(triangles.data())),
         count_(triangles.size()),

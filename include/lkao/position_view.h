@@ -17,9 +17,8 @@ class PositionView {
   PositionView() = default;
 
   // Of vectors, arrays and spans of glm::vec3.
-  template <typename Positions>
-  requires std::convertible_to<const Positions&, std::span<const glm::vec3>> PositionView(const Positions& positions)
-      : PositionView(std::span<const glm::vec3>(positions)) {}
+  template <std::convertible_to<std::span<const glm::vec3>> Positions>
+  PositionView(const Positions& positions) : PositionView(std::span<const glm::vec3>(positions)) {}
   PositionView(std::span<const glm::vec3> positions)
       : first_(reinterpret_cast<const std::byte*>(positions.data())),
         count_(positions.size()),
