@@ -1,6 +1,7 @@
 #include "lut/mesh_views.h"
 
 #include <stdexcept>
+#include <string>
 
 #include <fmt/format.h>
 
@@ -10,38 +11,25 @@
 namespace lkao {
 namespace {
 
-template <typename Number>
-std::size_t checked_stride(std::size_t stride, const char* name) {
-  constexpr std::size_t kPacked = 3 * sizeof(Number);
-  const char* const range = kPacked == 12 ? "0 or at least 12 bytes" : "0 or at least 6 bytes";
-  lut::require(stride == 0 || stride >= kPacked, name, range, static_cast<double>(stride));
-  return stride == 0 ? kPacked : stride;
+// 0 stands for `packed`, the size of a point or triangle.
+std::size_t checked_stride(std::size_t stride, std::size_t packed, const char* name) {
+  const std::string range = fmt::format("0 or at least {} bytes", packed);
+  lut::require(stride == 0 || stride >= packed, name, range.c_str(), static_cast<double>(stride));
+  return stride == 0 ? packed : stride;
 }
-
-const std::byte* bytes_of(const void* data) { return static_cast<const std::byte*>(data); }
 
 }  // namespace
 
 PositionView::PositionView(const float* first, std::size_t count, std::size_t stride)
-    : first_(bytes_of(first)), count_(count), stride_(checked_stride<float>(stride, "stride of positions")) {}
+    : first_(reinterpret_cast<const std::byte*>(first)),
+      count_(count),
+      stride_(checked_stride(stride, 3 * sizeof(float), "stride of positions")) {}
 
-IndexView::IndexView(const std::uint16_t* first, std::size_t triangle_count, std::size_t stride)
-    : first_(bytes_of(first)),
+IndexView::IndexView(const void* first, std::size_t triangle_count, std::size_t stride, Type type)
+    : first_(static_cast<const std::byte*>(first)),
       count_(triangle_count),
-      stride_(checked_stride<std::uint16_t>(stride, "stride of triangles")),
-      type_(Type::uint16) {}
-
-IndexView::IndexView(const std::uint32_t* first, std::size_t triangle_count, std::size_t stride)
-    : first_(bytes_of(first)),
-      count_(triangle_count),
-      stride_(checked_stride<std::uint32_t>(stride, "stride of triangles")),
-      type_(Type::uint32) {}
-
-IndexView::IndexView(const std::int32_t* first, std::size_t triangle_count, std::size_t stride)
-    : first_(bytes_of(first)),
-      count_(triangle_count),
-      stride_(checked_stride<std::int32_t>(stride, "stride of triangles")),
-      type_(Type::int32) {}
+      stride_(checked_stride(stride, type == Type::uint16 ? 6 : 12, "stride of triangles")),
+      type_(type) {}
 
 namespace lut {
 

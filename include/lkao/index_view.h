@@ -27,9 +27,12 @@ class IndexView {
 
   // `first` is the first index of triangle 0, the other two follow it; each triangle begins `stride` bytes after the
   // one before; 0: packed. Throws std::invalid_argument where triangles would overlap.
-  IndexView(const std::uint16_t* first, std::size_t triangle_count, std::size_t stride = 0);
-  IndexView(const std::uint32_t* first, std::size_t triangle_count, std::size_t stride = 0);
-  IndexView(const std::int32_t* first, std::size_t triangle_count, std::size_t stride = 0);
+  IndexView(const std::uint16_t* first, std::size_t triangle_count, std::size_t stride = 0)
+      : IndexView(first, triangle_count, stride, Type::uint16) {}
+  IndexView(const std::uint32_t* first, std::size_t triangle_count, std::size_t stride = 0)
+      : IndexView(first, triangle_count, stride, Type::uint32) {}
+  IndexView(const std::int32_t* first, std::size_t triangle_count, std::size_t stride = 0)
+      : IndexView(first, triangle_count, stride, Type::int32) {}
 
   // How many triangles there are.
   std::size_t size() const { return count_; }
@@ -52,6 +55,8 @@ class IndexView {
 
  private:
   enum class Type { uint16, uint32, int32 };
+
+  IndexView(const void* first, std::size_t triangle_count, std::size_t stride, Type type);
 
   template <typename Index>
   static Index read(const std::byte* triangle, int corner) {

@@ -54,7 +54,7 @@ class Pairing {
 
  private:
   void pair_edge(std::span<const EdgeUse> uses) {
-    if (uses.size() == 1) return;
+    if (uses.size() == 1) return;  // the surface ends there
     if (uses.size() == 2 && uses[0].forward == uses[1].forward) {
       ++pairs_.wrong_winding_count;
     } else if (uses.size() == 2) {
