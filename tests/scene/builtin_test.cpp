@@ -6,8 +6,8 @@
 #include <ostream>
 #include <stdexcept>
 
-#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
+#include <glm/geometric.hpp>
 
 #include "scene/defects.h"
 #include "scene/shapes.h"

@@ -5,8 +5,8 @@
 #include <limits>
 #include <sstream>
 
-#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
+#include <glm/geometric.hpp>
 
 #include "bvh/usable_triangle.h"
 #include "scene/defects.h"
