@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <span>
 #include <stdexcept>
 #include <vector>
 
@@ -34,7 +35,7 @@ std::vector<std::uint32_t> count_prism(GeometryBackEnd back_end) {
 
   const glm::vec3 positions[] = {{-9, -8, -0.4f}, {8, -9, -0.6f}, {1, 9, -0.5f}};
   const glm::uvec3 triangle(0, 1, 2);
-  const MeshBuffers mesh(positions, {&triangle, 1}, {});
+  const MeshBuffers mesh(positions, std::span(&triangle, 1), {});
   ShapeLists lists;
   const ShapePrograms programs = make_shape_programs(back_end, "mesh/coverage.frag", {});
   const ProgramObject classify = make_program({"mesh/classify.comp"});

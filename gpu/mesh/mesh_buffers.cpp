@@ -7,19 +7,10 @@
 
 #include "gpu/gl/error.h"
 #include "gpu/mesh/units.h"
+#include "lut/mesh_views.h"
 
 namespace lkao::gl {
 namespace {
-
-void require_indices(std::span<const glm::uvec3> triangles, std::size_t position_count) {
-  for (std::size_t i = 0; i < triangles.size(); ++i) {
-    for (int corner = 0; corner < 3; ++corner) {
-      if (triangles[i][corner] < position_count) continue;
-      throw std::invalid_argument(fmt::format("triangle {} has index {}, but there are only {} positions", i,
-                                              triangles[i][corner], position_count));
-    }
-  }
-}
 
 void require_ranges(std::span<const glm::vec2> ranges, std::size_t triangle_count) {
   if (!ranges.empty() && ranges.size() != triangle_count) {
@@ -45,6 +36,18 @@ void require_room(std::size_t position_count) {
   }
 }
 
+// Packed copies, as OpenGL takes them.
+std::vector<glm::vec3> pack(const PositionView& positions) {
+  std::vector<glm::vec3> packed(positions.size());
+  for (std::size_t i = 0; i < packed.size(); ++i) packed[i] = positions[i];
+  return packed;
+}
+std::vector<glm::uvec3> pack(const IndexView& triangles, std::size_t first, std::size_t count) {
+  std::vector<glm::uvec3> packed(count);
+  for (std::size_t i = 0; i < count; ++i) packed[i] = triangles[first + i];
+  return packed;
+}
+
 template <typename Value>
 Buffer make_buffer_of(std::span<const Value> values, GLbitfield flags = 0) {
   return make_buffer(static_cast<GLsizeiptr>(values.size_bytes()), values.data(), flags);
@@ -58,35 +61,36 @@ std::size_t MeshBuffers::capacity() {
   return std::min(texture_buffer_size() / kFrameTexels, static_cast<std::size_t>(block_size) / (16 * kFrameTexels));
 }
 
-MeshBuffers::MeshBuffers(std::span<const glm::vec3> positions, std::span<const glm::uvec3> triangles,
-                         std::span<const glm::vec2> ranges)
+MeshBuffers::MeshBuffers(const PositionView& positions, const IndexView& triangles, std::span<const glm::vec2> ranges)
     : position_count_(positions.size()), has_ranges_(!ranges.empty()) {
   require_ranges(ranges, triangles.size());
-  require_indices(triangles, positions.size());
+  lut::check_indices(triangles, positions.size());
   require_room(positions.size());
-  positions_ = make_buffer_of(positions, GL_DYNAMIC_STORAGE_BIT);
+  positions_ = make_buffer_of(std::span<const glm::vec3>(pack(positions)), GL_DYNAMIC_STORAGE_BIT);
   positions_texture_ = make_buffer_texture(GL_RGB32F, positions_);
   for (std::size_t first = 0; first < triangles.size(); first += capacity()) {
     const std::size_t count = std::min(capacity(), triangles.size() - first);
-    parts_.push_back(make_part(triangles.subspan(first, count), has_ranges_ ? ranges.subspan(first, count) : ranges));
+    parts_.push_back(make_part(pack(triangles, first, count), has_ranges_ ? ranges.subspan(first, count) : ranges));
   }
   check_errors("copying the occluders");
 }
 
-MeshBuffers::Part MeshBuffers::make_part(std::span<const glm::uvec3> triangles, std::span<const glm::vec2> ranges) {
-  Part part{triangles.size(), make_buffer_of(triangles), make_buffer_of(ranges), {}, {}};
+MeshBuffers::Part MeshBuffers::make_part(const std::vector<glm::uvec3>& triangles, std::span<const glm::vec2> ranges) {
+  Part part{triangles.size(), make_buffer_of(std::span(triangles)), make_buffer_of(ranges), {}, {}};
   part.triangles_texture = make_buffer_texture(GL_RGB32UI, part.triangles);
   part.ranges_texture = make_buffer_texture(GL_RG32F, part.ranges);
   return part;
 }
 
-void MeshBuffers::update_positions(std::span<const glm::vec3> positions) {
+void MeshBuffers::update_positions(const PositionView& positions) {
   if (positions.size() != position_count_) {
     throw std::invalid_argument(
         fmt::format("there are {} positions to update, not {}", position_count_, positions.size()));
   }
-  if (!positions.empty()) {
-    glNamedBufferSubData(positions_.name(), 0, static_cast<GLsizeiptr>(positions.size_bytes()), positions.data());
+  if (positions.size() > 0) {
+    const std::vector<glm::vec3> packed = pack(positions);
+    glNamedBufferSubData(positions_.name(), 0, static_cast<GLsizeiptr>(packed.size() * sizeof(glm::vec3)),
+                         packed.data());
   }
   check_errors("updating positions");
 }

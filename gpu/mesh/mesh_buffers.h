@@ -10,6 +10,8 @@
 
 #include "gpu/gl/objects.h"
 #include "lkao/gl/frame.h"
+#include "lkao/index_view.h"
+#include "lkao/position_view.h"
 
 namespace lkao::gl {
 
@@ -23,10 +25,9 @@ class MeshBuffers {
   static std::size_t capacity();
 
   // As Occluders says it.
-  MeshBuffers(std::span<const glm::vec3> positions, std::span<const glm::uvec3> triangles,
-              std::span<const glm::vec2> ranges);
+  MeshBuffers(const PositionView& positions, const IndexView& triangles, std::span<const glm::vec2> ranges);
 
-  void update_positions(std::span<const glm::vec3> positions);
+  void update_positions(const PositionView& positions);
   ObjectName positions_buffer() const { return positions_.name(); }
 
   bool has_ranges() const { return has_ranges_; }
@@ -43,7 +44,7 @@ class MeshBuffers {
     Buffer triangles, ranges;
     Texture triangles_texture, ranges_texture;
   };
-  static Part make_part(std::span<const glm::uvec3> triangles, std::span<const glm::vec2> ranges);
+  static Part make_part(const std::vector<glm::uvec3>& triangles, std::span<const glm::vec2> ranges);
 
   std::size_t position_count_;
   bool has_ranges_;

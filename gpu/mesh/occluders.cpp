@@ -7,8 +7,7 @@ namespace lkao::gl {
 
 Occluders::Occluders() : Occluders({}, {}) {}
 
-Occluders::Occluders(std::span<const glm::vec3> positions, std::span<const glm::uvec3> triangles,
-                     std::span<const glm::vec2> ranges) {
+Occluders::Occluders(const PositionView& positions, const IndexView& triangles, std::span<const glm::vec2> ranges) {
   require_clean_context();
   buffers_ = std::make_unique<MeshBuffers>(positions, triangles, ranges);
 }
@@ -17,7 +16,7 @@ Occluders::~Occluders() = default;
 Occluders::Occluders(Occluders&&) noexcept = default;
 Occluders& Occluders::operator=(Occluders&&) noexcept = default;
 
-void Occluders::update_positions(std::span<const glm::vec3> positions) {
+void Occluders::update_positions(const PositionView& positions) {
   require_clean_context();
   buffers_->update_positions(positions);
 }

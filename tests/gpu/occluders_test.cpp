@@ -37,13 +37,35 @@ TEST_F(SharedOccluders, AreDrawnByPassesOfAnySetup) {
   }
 }
 
+TEST_F(SharedOccluders, MayLieInArraysOfAnyLayout) {
+  const PlaneMaskTable table(SamplePattern::standard(64), {.resolution = 32});
+  PassOnMesh pass = make_pass(mesh_, table);
+  const auto expected = draw(pass, {.radius = 0.8f});
+  struct Vertex {
+    float u, v;
+    glm::vec3 position;
+  };
+  std::vector<Vertex> vertices;
+  for (const glm::vec3& position : mesh_.positions) vertices.push_back({0, 1, position});
+  std::vector<std::uint16_t> indices;
+  for (const glm::uvec3& triangle : mesh_.triangles) {
+    for (int corner = 0; corner < 3; ++corner) indices.push_back(static_cast<std::uint16_t>(triangle[corner]));
+  }
+  const PositionView positions(&vertices[0].position.x, vertices.size(), sizeof(Vertex));
+  pass.occluders = Occluders(positions, IndexView(indices.data(), indices.size() / 3));
+  EXPECT_EQ(draw(pass, {.radius = 0.8f}), expected);
+  for (Vertex& vertex : vertices) vertex.position.y += 0.1f;
+  pass.occluders.update_positions(positions);
+  EXPECT_NE(draw(pass, {.radius = 0.8f}), expected);
+}
+
 TEST_F(SharedOccluders, MayChangeFromFrameToFrame) {
   const PlaneMaskTable table(SamplePattern::standard(64), {.resolution = 32});
   PassOnMesh pass = make_pass(mesh_, table);
   const auto expected = draw(pass, {.radius = 0.8f});
   const glm::vec3 corners[] = {{-1, 1, -1}, {1, 1, -1}, {0, 2, -1}};
   const glm::uvec3 triangle(0, 1, 2);
-  const Occluders few(corners, {&triangle, 1}), none;
+  const Occluders few(corners, std::span(&triangle, 1)), none;
   static_cast<MaskPass&>(pass).draw(few, g_buffer_->by_positions(), camera_, {.radius = 0.8f});
   const std::uint64_t few_bits = count_bits(pass.read_masks());
   static_cast<MaskPass&>(pass).draw(none, g_buffer_->by_positions(), camera_, {.radius = 0.8f});
