@@ -10,14 +10,16 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
-#include "cli/batch.h"
 #include "cli/commands.h"
 #include "cli/json_output.h"
+#include "cli/method_options.h"
 #include "cli/options.h"
 #include "cli/output_files.h"
+#include "cli/progress_bar.h"
 #include "cli/report.h"
 #include "cli/scene_input.h"
-#include "cli/stopwatch.h"
+#include "method/batch.h"
+#include "method/setting_options.h"
 #include "scene/ply_writer.h"
 
 namespace lkao::cli {
@@ -27,13 +29,15 @@ struct BakeOptions {
   std::string scene;
   std::string output;
   OcclusionOptions occlusion;
+  MethodOptions method;  // the traversal
   CommonOptions common;
 };
 
 struct Bake {
   SceneInput scene;
   double build_seconds = 0;
-  Batch batch;  // receiver k is vertex k
+  method::Batch batch;  // receiver k is vertex k
+  method::Remarks remarks;
 };
 
 std::vector<Receiver> vertex_receivers(const scene::Mesh& mesh) {
@@ -56,12 +60,16 @@ Bake compute(const BakeOptions& options, ProgressBar& progress) {
   report_dropped_triangles(result.scene);
 
   progress.begin("building the hierarchy");
-  const Stopwatch watch;
-  const OccluderBvh occluders(mesh.view());
-  result.build_seconds = watch.seconds();
-  const AmbientOcclusion ao = make_query({{occluders}}, options.occlusion);
+  method::Occluders occluders(mesh);
+  const method::Question question = options.occlusion.question();
+  const std::unique_ptr<method::Method> method = options.method.kind->open(options.method.settings);
+  method->prepare({occluders, question});
+  result.build_seconds = occluders.build_seconds();
 
-  result.batch = run_batch({Method::bvh, answer_of(ao)}, ao.pattern(), vertex_receivers(mesh), {}, progress);
+  const std::vector<Receiver> receivers = vertex_receivers(mesh);
+  result.batch = method::run_batch(*method, question.ray_count, receivers,
+                                   {.progress = progress.watch("casting rays", receivers.size())});
+  result.remarks = method->remarks();
   progress.clear();
   return result;
 }
@@ -81,16 +89,16 @@ std::size_t receiver_count(const Bake& result) {
 
 Json document_of(const BakeOptions& options, const Bake& result) {
   Json document;
-  document["method"] = name_of(Method::bvh);
+  document["method"] = options.method.kind->word;
   document["scene"] = options.scene;
   document["radius"] = *options.occlusion.radius;
   document["samples"] = options.occlusion.ray_count;
   document["vertices"] = result.batch.occlusion.size();
   document["receivers"] = receiver_count(result);
-  add_batch_keys(document, result.batch);
+  add_batch_keys(document, *options.method.kind, result.batch);
   document["vertices_without_normal"] = result.batch.invalid_receiver_count;
   add_setting_keys(document, options.occlusion);
-  add_kernel_keys(document, options.occlusion);
+  add_remark_keys(document, result.remarks);
   add_scene_keys(document, result.scene);
   document["build_seconds"] = result.build_seconds;
   return document;
@@ -103,7 +111,7 @@ void print_table(const BakeOptions& options, const Bake& result) {
             fmt::format("{:.3f} s to load, {:.3f} s to build", result.scene.load_seconds, result.build_seconds));
   table.add("receivers",
             fmt::format("{} of {} vertices", grouped(receiver_count(result)), grouped(result.batch.occlusion.size())));
-  add_batch_rows(table, Method::bvh, result.batch);
+  add_batch_rows(table, *options.method.kind, result.batch);
   table.add("wrote", options.output);
   table.print();
 }
@@ -119,7 +127,7 @@ void bake(const BakeOptions& options) {
   if (ending_of(options.output) != ".ply") {
     throw std::invalid_argument(fmt::format("--output: expected a name ending in .ply, got '{}'", options.output));
   }
-  check_radius(options.occlusion, false);
+  check_lengths(options.method, options.occlusion);
   OutputFiles outputs({options.scene});
   const std::string mesh_path = outputs.claim(options.output);
   const JsonOutput json(options.common.json_path, outputs);
@@ -140,6 +148,7 @@ void add_options(CLI::App& app, BakeOptions& options) {
       ->required()
       ->type_name("FILE");
   add_occlusion_options(app, options.occlusion);
+  method::add_setting_options(app, options.method.settings, {options.method.kind});
   add_common_options(app, options.common);
   app.footer("Vertices keep their numbers. Those without a usable normal get occlusion 0 and are counted.");
 }

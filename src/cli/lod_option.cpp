@@ -71,13 +71,8 @@ lod::Chain make_chain(const LodOption& option, const scene::Mesh& mesh, float ra
 }
 
 lod::Simplified simplify_watched(const scene::Mesh& mesh, const lod::LevelRule& rule, ProgressBar& progress) {
-  progress.begin("simplifying", mesh.triangles.size());
-  std::size_t shown = 0;
-  lod::Simplified simplified = lod::simplify(mesh, {.levels = rule}, [&](std::size_t done, std::size_t) {
-    progress.advance(done - shown);
-    shown = done;
-    return true;
-  });
+  lod::Simplified simplified =
+      lod::simplify(mesh, {.levels = rule}, progress.watch("simplifying", mesh.triangles.size()));
   progress.clear();
   return simplified;
 }

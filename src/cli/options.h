@@ -4,13 +4,11 @@
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <string_view>
-#include <vector>
 
 #include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/task_arena.h>
 
-#include "lkao/ambient_occlusion.h"
+#include "method/question.h"
 
 namespace CLI {
 class App;
@@ -28,10 +26,6 @@ struct CommonOptions {
 };
 void add_common_options(CLI::App& app, CommonOptions& options);
 
-// What answers the query.
-enum class KernelChoice { simd, scalar, table, nearest };
-std::string_view name_of(KernelChoice kernel);
-
 // What to ask of every receiver; on `render` and `bake`.
 struct OcclusionOptions {
   std::optional<double> radius;  // perhaps infinite
@@ -39,21 +33,11 @@ struct OcclusionOptions {
   Falloff falloff = Falloff::constant();
   Sidedness sidedness = Sidedness::two_sided;
   std::uint64_t seed = 0;
-  std::optional<KernelChoice> kernel;  // simd where not given
+
+  // Once the radius is there.
+  method::Question question() const;
 };
 void add_occlusion_options(CLI::App& app, OcclusionOptions& options);
-
-// Throws std::invalid_argument where the radius is infinite, rays are of several lengths, and what answers is the
-// rasterised method or a kernel of look-ups: tables have all lengths as shares of the radius.
-void check_radius(const OcclusionOptions& options, bool is_drawn);
-
-// The AO radius, which must be given by now.
-float radius_of(const OcclusionOptions& options);
-RayOptions ray_options(const OcclusionOptions& options);
-SamplePattern make_pattern(const OcclusionOptions& options);
-PlaneMaskTable make_table(const OcclusionOptions& options, PlaneMasks masks);
-// Needs the radius; by the exact kernels only where there are several levels.
-AmbientOcclusion make_query(std::vector<OccluderLevel> levels, const OcclusionOptions& options);
 
 // Calls `function` so that everything parallel in it uses the given number of threads.
 template <class Function>

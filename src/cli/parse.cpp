@@ -1,31 +1,28 @@
 #include "cli/parse.h"
 
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <stdexcept>
+#include <string_view>
 #include <vector>
+
+#include <fmt/format.h>
+
+#include "lkao/sample_pattern.h"
+#include "method/read_number.h"
 
 namespace lkao::cli {
 namespace {
+
+using method::read_number;
 
 [[noreturn]] void reject(std::string_view expected, const std::string& text) {
   throw std::invalid_argument(fmt::format("expected {}, got '{}'", expected, text));
 }
 
-// The whole text as a number, nothing where it is none or does not fit.
-template <class Number>
-std::optional<Number> read(std::string_view text) {
-  if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
-  Number number{};
-  const char* const last = text.data() + text.size();
-  const auto [end, error] = std::from_chars(text.data(), last, number);
-  if (error != std::errc{} || end != last) return std::nullopt;
-  return number;
-}
-
 std::optional<double> read_finite(std::string_view text) {
-  const std::optional<double> number = read<double>(text);
+  const std::optional<double> number = read_number<double>(text);
   const bool fits = number && std::abs(*number) <= double{std::numeric_limits<float>::max()};  // false for NaN
   return fits ? number : std::nullopt;
 }
@@ -54,7 +51,7 @@ double parse_positive_number(const std::string& text) {
 }
 
 double parse_radius(const std::string& text) {
-  const std::optional<double> number = read<double>(text);
+  const std::optional<double> number = read_number<double>(text);
   if (number && std::isinf(*number) && *number > 0) return *number;
   const std::optional<double> length = read_finite(text);
   if (!length || !(static_cast<float>(*length) > 0)) reject("a length above 0, or inf", text);
@@ -75,7 +72,7 @@ float parse_field_of_view(const std::string& text) {
 }
 
 int parse_integer(const std::string& text, int least, int most) {
-  const std::optional<int> number = read<int>(text);
+  const std::optional<int> number = read_number<int>(text);
   if (!number || *number < least || *number > most) {
     reject(fmt::format("a whole number from {} to {}", least, most), text);
   }
@@ -83,13 +80,13 @@ int parse_integer(const std::string& text, int least, int most) {
 }
 
 std::uint64_t parse_seed(const std::string& text) {
-  const std::optional<std::uint64_t> number = read<std::uint64_t>(text);
+  const std::optional<std::uint64_t> number = read_number<std::uint64_t>(text);
   if (!number) reject("a whole number from 0 to 2^64 - 1", text);
   return *number;
 }
 
 int parse_ray_count(const std::string& text) {
-  const std::optional<int> number = read<int>(text);
+  const std::optional<int> number = read_number<int>(text);
   if (!number || !is_valid_ray_count(*number)) {
     reject(fmt::format("a multiple of {} from {} to {}", kRayCountStep, kMinRayCount, kMaxRayCount), text);
   }
@@ -111,8 +108,8 @@ glm::vec3 parse_vector(const std::string& text) {
 
 Size parse_size(const std::string& text) {
   const std::vector<std::string_view> parts = split(text, 'x');
-  const std::optional<int> width = read<int>(parts.front());
-  const std::optional<int> height = read<int>(parts.back());
+  const std::optional<int> width = read_number<int>(parts.front());
+  const std::optional<int> height = read_number<int>(parts.back());
   const auto is_side = [](std::optional<int> side) { return side && *side >= 1 && *side <= Size::kMaxSide; };
   if (parts.size() != 2 || !is_side(width) || !is_side(height)) {
     reject(fmt::format("WIDTHxHEIGHT with 1 to {} pixels a side", Size::kMaxSide), text);
@@ -121,10 +118,6 @@ Size parse_size(const std::string& text) {
     reject(fmt::format("at most {} pixels in all", Size::kMaxPixelCount), text);
   }
   return {*width, *height};
-}
-
-Sidedness parse_sidedness(const std::string& text) {
-  return parse_choice<Sidedness>(text, {{"one", Sidedness::one_sided}, {"two", Sidedness::two_sided}});
 }
 
 }  // namespace lkao::cli

@@ -3,17 +3,9 @@
 #pragma once
 
 #include <cstdint>
-#include <initializer_list>
-#include <stdexcept>
 #include <string>
-#include <string_view>
-#include <utility>
 
-#include <fmt/format.h>
 #include <glm/vec3.hpp>
-
-#include "lkao/ambient_occlusion.h"
-#include "scene/camera.h"
 
 namespace lkao::cli {
 
@@ -45,18 +37,5 @@ int parse_ray_count(const std::string& text);
 glm::vec3 parse_vector(const std::string& text);
 // "WxH".
 Size parse_size(const std::string& text);
-// "one" or "two".
-Sidedness parse_sidedness(const std::string& text);
-
-// One of a few words.
-template <class Value>
-Value parse_choice(const std::string& text, std::initializer_list<std::pair<std::string_view, Value>> choices) {
-  std::string known;
-  for (const auto& [word, value] : choices) {
-    if (text == word) return value;
-    known += (known.empty() ? "" : " or ") + std::string(word);
-  }
-  throw std::invalid_argument(fmt::format("expected {}, got '{}'", known, text));
-}
 
 }  // namespace lkao::cli

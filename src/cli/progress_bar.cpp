@@ -31,6 +31,14 @@ void ProgressBar::advance(std::uint64_t steps) {
   if (Clock::now() - last_drawn_ >= kRedrawInterval) draw();
 }
 
+Progress ProgressBar::watch(const std::string& phase, std::uint64_t total) {
+  begin(phase, total);
+  return [this](std::size_t done, std::size_t) {
+    advance(done - done_);
+    return true;
+  };
+}
+
 void ProgressBar::clear() {
   if (visible_) fmt::print(stderr, "{}", kWipeLine);
 }

@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <string>
 
+#include "lkao/progress.h"
+
 namespace lkao::cli {
 
 // One line that is drawn over itself, at most ten times a second, and wiped at the end of its life.
@@ -21,6 +23,8 @@ class ProgressBar {
   // A phase of `total` steps.
   void begin(const std::string& phase, std::uint64_t total);
   void advance(std::uint64_t steps);
+  // A phase of a call that tells how far it is, in `total` steps: what to give it. The bar must outlive the call.
+  Progress watch(const std::string& phase, std::uint64_t total);
   // Wipes the line, to make room for other output.
   void clear();
 

@@ -6,15 +6,14 @@
 
 #include <fmt/format.h>
 
-#include "cli/batch.h"
 #include "cli/commands.h"
 #include "cli/json_output.h"
+#include "cli/method_options.h"
 #include "cli/options.h"
 #include "cli/output_files.h"
 #include "cli/parse.h"
 #include "cli/parsed_option.h"
 #include "cli/progress_bar.h"
-#include "cli/raster_method.h"
 #include "cli/render_images.h"
 #include "cli/rendering.h"
 #include "cli/report.h"
@@ -38,26 +37,22 @@ Json camera_json(const scene::Camera& camera) {
 
 Json document_of(const RenderingOptions& options, const Rendering& result) {
   Json document;
-  document["method"] = name_of(options.method);
+  document["method"] = options.method.kind->word;
   document["scene"] = options.scene;
   document["radius"] = *options.occlusion.radius;
   document["samples"] = options.occlusion.ray_count;
   document["width"] = options.size.width;
   document["height"] = options.size.height;
   document["receivers"] = result.view.receiver_count;
-  add_batch_keys(document, result.batch);
+  add_batch_keys(document, *options.method.kind, result.batch);
   document["invalid_receivers"] = result.batch.invalid_receiver_count;
   add_setting_keys(document, options.occlusion);
-  if (result.raster) {
-    add_raster_keys(document, *result.raster);
-  } else {
-    add_kernel_keys(document, options.occlusion);
-  }
+  add_remark_keys(document, result.remarks);
   document["camera"] = camera_json(result.camera);
   add_scene_keys(document, result.scene);
-  if (result.chain) document["lod"] = lod_json(*result.chain, radius_of(options.occlusion), result.lod_seconds);
+  if (result.chain) document["lod"] = lod_json(*result.chain, options.occlusion.question().radius, result.lod_seconds);
   document["build_seconds"] = result.build_seconds;
-  if (result.embree_build_seconds > 0) document["embree_build_seconds"] = result.embree_build_seconds;
+  for (const auto& [word, seconds] : result.own_build_seconds) document[word + "_build_seconds"] = seconds;
   document["camera_seconds"] = result.camera_seconds;
   return document;
 }
@@ -71,39 +66,22 @@ void print_table(const RenderOptions& options, const Rendering& result) {
   table.add("receivers",
             fmt::format("{} in {} x {} pixels", grouped(result.view.receiver_count), size.width, size.height));
   if (result.chain) {
-    add_lod_row(table, *result.chain, radius_of(options.rendering.occlusion), result.lod_seconds);
+    add_lod_row(table, *result.chain, options.rendering.occlusion.question().radius, result.lod_seconds);
   }
-  if (result.raster) add_raster_rows(table, *result.raster);
-  add_batch_rows(table, options.rendering.method, result.batch);
+  add_remark_rows(table, result.remarks);
+  add_batch_rows(table, *options.rendering.method.kind, result.batch);
   table.add("wrote", options.output + (options.preview.empty() ? "" : ", " + options.preview));
   table.print();
 }
 
-// Levels need a method that takes them.
-void check_lod(const RenderingOptions& options) {
-  if (!options.lod) return;
-  if (options.method == Method::embree) {
-    throw std::invalid_argument("--lod is for --method bvh and raster, not for --method embree");
+// What is asked of the method, and of the one it is checked against, must be among their abilities.
+void check_abilities(const RenderingOptions& options) {
+  check_lengths(options.method, options.occlusion);
+  if (options.reference) {
+    check_lengths({&method::reference_of(*options.method.kind), options.method.settings}, options.occlusion);
   }
-  const KernelChoice kernel = options.occlusion.kernel.value_or(KernelChoice::simd);
-  if (kernel == KernelChoice::table || kernel == KernelChoice::nearest) {
-    throw std::invalid_argument(
-        fmt::format("--lod is for --kernel simd and scalar, not for --kernel {}", name_of(kernel)));
-  }
-}
-
-// Faults of the method's own options.
-void check_method(const RenderingOptions& options) {
-  if (options.method != Method::raster) {
-    const char* const surplus = options.raster.device ? "--gl" : options.raster.masks ? "--masks" : nullptr;
-    if (surplus == nullptr) return;
-    throw std::invalid_argument(
-        fmt::format("{} is for --method raster, not for --method {}", surplus, name_of(options.method)));
-  }
-  require_raster_method();
-  if (options.occlusion.kernel) {
-    throw std::invalid_argument("--kernel is for --method bvh, not for --method raster, which has --masks");
-  }
+  if (options.lod) require_ability(options.method, &method::Abilities::levels, "--lod");
+  if (options.layers.bent_normals) require_ability(options.method, &method::Abilities::bent_normals, "--bent-normals");
 }
 
 // Faults of the options that need no scene to be seen.
@@ -116,9 +94,8 @@ void check_options(const RenderOptions& options) {
   if (!options.preview.empty() && ending_of(options.preview) != ".png") {
     throw std::invalid_argument(fmt::format("--preview: expected a name ending in .png, got '{}'", options.preview));
   }
-  check_method(options.rendering);
-  check_radius(options.rendering.occlusion, options.rendering.method == Method::raster);
-  check_lod(options.rendering);
+  check_method(options.rendering.method);
+  check_abilities(options.rendering);
   const CameraOptions& camera = options.rendering.camera;
   if (camera.eye && camera.target && *camera.eye == *camera.target) {
     throw std::invalid_argument("--eye and --target are the same point");
@@ -166,14 +143,7 @@ void add_options(CLI::App& app, RenderOptions& options) {
   add_parsed(app, "--size", rendering.size, parse_size, "Pixels (default: 1024x768)")->type_name("WxH");
   add_camera_options(app, rendering.camera);
   add_occlusion_options(app, rendering.occlusion);
-  const auto parse_method = [](const std::string& text) {
-    return parse_choice<Method>(text, {{"bvh", Method::bvh}, {"embree", Method::embree}, {"raster", Method::raster}});
-  };
-  add_parsed(app, "--method", rendering.method, parse_method,
-             "What finds the blocked rays: the library's traversal; Embree, ray by ray; or OpenGL, which rasterises "
-             "what occluders can darken (default: bvh)")
-      ->type_name("bvh|embree|raster");
-  add_raster_options(app, rendering.raster);
+  add_method_options(app, rendering.method);
   add_parsed(
       app, "--lod", rendering.lod, parse_lod,
       "Simplified occluders where only distance sees them: k=3,levels=4,epsilon=E,growth=3, any of them left out "
@@ -196,7 +166,6 @@ Command add_render_command(CLI::App& program) {
   CLI::App* const app = program.add_subcommand("render", "Render the occlusion that a camera sees");
   add_options(*app, *options);
   const auto run = [options] {
-    if (options->rendering.method == Method::raster) limit_gl_threads(options->common.thread_count);
     with_threads(options->common.thread_count, [&] { render(*options); });
     return kSuccess;
   };

@@ -39,7 +39,7 @@ std::vector<std::string> channel_names(const ImageLayers& layers) {
   return names;
 }
 
-image::Image make_layers(const scene::ReceiverImage& view, const Batch& batch, const ImageLayers& layers) {
+image::Image make_layers(const scene::ReceiverImage& view, const method::Batch& batch, const ImageLayers& layers) {
   image::Image image = blank(view, channel_names(layers), 0);
   fill(image, "occlusion", view, [&](std::size_t pixel) { return batch.occlusion[pixel]; });
   if (layers.bent_normals)
@@ -54,7 +54,7 @@ image::Image make_layers(const scene::ReceiverImage& view, const Batch& batch, c
   return image;
 }
 
-image::Image make_preview(const scene::ReceiverImage& view, const Batch& batch) {
+image::Image make_preview(const scene::ReceiverImage& view, const method::Batch& batch) {
   image::Image occlusion = blank(view, {"occlusion"}, std::numeric_limits<float>::quiet_NaN());
   fill(occlusion, "occlusion", view, [&](std::size_t pixel) { return batch.occlusion[pixel]; });
   return image::visibility_preview(occlusion);
@@ -62,7 +62,7 @@ image::Image make_preview(const scene::ReceiverImage& view, const Batch& batch) 
 
 }  // namespace
 
-void write_rendering(const std::string& path, const scene::ReceiverImage& view, const Batch& batch,
+void write_rendering(const std::string& path, const scene::ReceiverImage& view, const method::Batch& batch,
                      const ImageLayers& layers) {
   image::write_image(path, ending_of(path) == ".png" ? make_preview(view, batch) : make_layers(view, batch, layers));
 }

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "cli/batch.h"
+#include "method/batch.h"
 #include "scene/camera.h"
 
 namespace lkao::cli {
@@ -20,7 +20,7 @@ struct ImageLayers {
 // Writes by the ending of `path`: .exr the float channels, .png the visibility to look at (no layers). In an EXR,
 // pixels without a receiver hold occlusion 0 and zero vectors, so that the channel can be composited as it is; their
 // depth tells them apart. Throws std::runtime_error with one line where writing fails.
-void write_rendering(const std::string& path, const scene::ReceiverImage& view, const Batch& batch,
+void write_rendering(const std::string& path, const scene::ReceiverImage& view, const method::Batch& batch,
                      const ImageLayers& layers);
 
 }  // namespace lkao::cli

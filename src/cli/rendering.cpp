@@ -1,33 +1,30 @@
 #include "cli/rendering.h"
 
-#include <stdexcept>
-#include <utility>
-#include <vector>
+#include <memory>
 
-#include "cli/stopwatch.h"
-#include "lod/occluders.h"
+#include <fmt/format.h>
+
+#include "method/occluders.h"
+#include "method/stopwatch.h"
 
 namespace lkao::cli {
 namespace {
 
-// The methods that take part.
-struct Casters {
-  std::optional<AmbientOcclusion> ao;
-  std::optional<reference::EmbreeReference> embree;
-  std::optional<RasterFrame> frame;
+using method::Stopwatch;
 
-  Caster caster(Method method) const {
-    switch (method) {
-      case Method::bvh:
-        return {method, answer_of(*ao)};
-      case Method::embree:
-        return {method, answer_of(*embree, *ao)};
-      case Method::raster:
-        return {method, frame->answer()};
-    }
-    throw std::logic_error("unknown method");
-  }
+// The method in question, and perhaps the one that it is checked against.
+struct Methods {
+  std::unique_ptr<method::Method> asked;
+  std::unique_ptr<method::Method> check;
 };
+
+Methods open(const RenderingOptions& options) {
+  const auto& [kind, settings] = options.method;
+  Methods methods{kind->open(settings), nullptr};
+  methods.asked->require_size(options.size.width, options.size.height);
+  if (options.reference) methods.check = method::reference_of(*kind).open(settings);
+  return methods;
+}
 
 void load(const RenderingOptions& options, Rendering& result, ProgressBar& progress) {
   progress.begin("loading " + options.scene);
@@ -39,67 +36,59 @@ void load(const RenderingOptions& options, Rendering& result, ProgressBar& progr
   report_dropped_triangles(result.scene);
 }
 
-void make_levels(const RenderingOptions& options, Rendering& result, ProgressBar& progress) {
+void make_levels(const RenderingOptions& options, float radius, Rendering& result, ProgressBar& progress) {
   if (!options.lod) return;
   const Stopwatch watch;
-  result.chain = make_chain(*options.lod, result.scene.mesh, radius_of(options.occlusion), progress);
+  result.chain = make_chain(*options.lod, result.scene.mesh, radius, progress);
   result.lod_seconds = watch.seconds();
 }
 
-// The hierarchy, and Embree's where it takes part. Embree gets its rays from the query.
-void build(const RenderingOptions& options, Casters& casters, Rendering& result, ProgressBar& progress) {
-  if (options.method == Method::raster && !options.reference) return;
-  const scene::Mesh& mesh = result.scene.mesh;
-  progress.begin("building the hierarchy");
-  Stopwatch watch;
-  std::vector<OccluderLevel> levels = result.chain ? lod::build_levels(*result.chain, radius_of(options.occlusion))
-                                                   : std::vector{OccluderLevel{OccluderBvh(mesh.view())}};
-  result.build_seconds = watch.lap();
-  casters.ao.emplace(make_query(std::move(levels), options.occlusion));
-  watch.lap();
-  if (options.method == Method::bvh && !options.reference) return;
-  casters.embree.emplace(mesh);
-  result.embree_build_seconds = watch.lap();
+void find_receivers(const RenderingOptions& options, Rendering& result, ProgressBar& progress) {
+  progress.begin("finding receivers");
+  const Stopwatch watch;
+  result.view = scene::find_receivers(result.scene.mesh, result.camera, options.size.width, options.size.height);
+  result.camera_seconds = watch.seconds();
 }
 
-Batch ask(const RenderingOptions& options, const Casters& casters, const scene::ReceiverImage& view,
-          ProgressBar& progress) {
-  BatchOptions batch_options{.check = {}, .bent_normals = options.layers.bent_normals};
-  if (options.reference) batch_options.check = casters.caster(other_than(options.method));
-  Batch batch = run_batch(casters.caster(options.method), make_pattern(options.occlusion), view.receivers,
-                          batch_options, progress);
-  batch.invalid_receiver_count -= view.receivers.size() - view.receiver_count;
-  if (casters.frame) batch.seconds = casters.frame->report.draw_seconds;
-  return batch;
+void prepare(const Methods& methods, const RenderingOptions& options, const method::Question& question,
+             Rendering& result, ProgressBar& progress) {
+  const scene::Mesh& mesh = result.scene.mesh;
+  method::Occluders occluders =
+      result.chain ? method::Occluders(mesh, *result.chain, question.radius) : method::Occluders(mesh);
+  const auto prepare_one = [&](method::Method* method, const method::MethodKind& kind) {
+    if (method == nullptr) return;
+    progress.begin(fmt::format("preparing {}", kind.word));
+    method->prepare({occluders, question, method::View{result.camera, result.view}});
+    if (method->build_seconds() > 0) result.own_build_seconds.emplace_back(kind.word, method->build_seconds());
+  };
+  prepare_one(methods.asked.get(), *options.method.kind);
+  prepare_one(methods.check.get(), method::reference_of(*options.method.kind));
+  result.build_seconds = occluders.build_seconds();
+}
+
+void ask(const Methods& methods, const RenderingOptions& options, const method::Question& question, Rendering& result,
+         ProgressBar& progress) {
+  const std::vector<Receiver>& receivers = result.view.receivers;
+  const bool draws = !methods.asked->abilities().any_receivers;
+  result.batch = method::run_batch(*methods.asked, question.ray_count, receivers,
+                                   {.check = methods.check.get(),
+                                    .bent_normals = options.layers.bent_normals,
+                                    .progress = progress.watch(draws ? "drawing" : "casting rays", receivers.size())});
+  result.batch.invalid_receiver_count -= receivers.size() - result.view.receiver_count;
+  result.remarks = methods.asked->remarks();
 }
 
 }  // namespace
 
 Rendering compute_rendering(const RenderingOptions& options, ProgressBar& progress) {
   Rendering result;
-  std::optional<RasterMethod> raster;
-  // First: where there is no such device, nothing else is worth doing.
-  if (options.method == Method::raster) raster.emplace(options.raster, options.size);
+  const Methods methods = open(options);  // first: where there is no such device, nothing else is worth doing
   load(options, result, progress);
-  make_levels(options, result, progress);
-  Casters casters;
-  build(options, casters, result, progress);
-
-  progress.begin("finding receivers");
-  const Stopwatch watch;
-  result.view = scene::find_receivers(result.scene.mesh, result.camera, options.size.width, options.size.height);
-  result.camera_seconds = watch.seconds();
-
-  if (raster) {
-    progress.begin("drawing");
-    const lod::RangedMesh merged =
-        result.chain ? lod::merge(*result.chain, radius_of(options.occlusion)) : lod::RangedMesh{};
-    casters.frame =
-        raster->draw(result.chain ? merged.mesh : result.scene.mesh, merged.ranges, result.camera, result.view,
-                     options.occlusion, {.bent_normals = options.layers.bent_normals, .masks = options.reference});
-    result.raster = casters.frame->report;
-  }
-  result.batch = ask(options, casters, result.view, progress);
+  const method::Question question = options.occlusion.question();
+  make_levels(options, question.radius, result, progress);
+  find_receivers(options, result, progress);
+  prepare(methods, options, question, result, progress);
+  ask(methods, options, question, result, progress);
   progress.clear();
   return result;
 }

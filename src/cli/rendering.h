@@ -1,19 +1,20 @@
 // What a rendering computes.
 #pragma once
 
-#include <cstddef>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
-#include "cli/batch.h"
 #include "cli/camera_options.h"
 #include "cli/lod_option.h"
+#include "cli/method_options.h"
 #include "cli/options.h"
 #include "cli/parse.h"
 #include "cli/progress_bar.h"
-#include "cli/raster_method.h"
 #include "cli/render_images.h"
 #include "cli/scene_input.h"
+#include "method/batch.h"
 #include "scene/camera.h"
 
 namespace lkao::cli {
@@ -21,12 +22,11 @@ namespace lkao::cli {
 struct RenderingOptions {
   std::string scene;
   Size size;
-  Method method = Method::bvh;
+  MethodOptions method;
   bool reference = false;
   ImageLayers layers;
   CameraOptions camera;
   OcclusionOptions occlusion;
-  RasterOptions raster;
   std::optional<LodOption> lod;
 };
 
@@ -35,13 +35,14 @@ struct Rendering {
   scene::Camera camera;
   std::optional<lod::Chain> chain;  // where there are levels of detail
   double lod_seconds = 0;
-  double build_seconds = 0;
-  double embree_build_seconds = 0;
+  double build_seconds = 0;  // of what methods share
+  // Of what a method builds for itself: its word, and how long it took.
+  std::vector<std::pair<std::string, double>> own_build_seconds;
   double camera_seconds = 0;
   scene::ReceiverImage view;
   // Receiver k is pixel k. Pixels that see nothing are no invalid receivers.
-  Batch batch;
-  std::optional<RasterReport> raster;
+  method::Batch batch;
+  method::Remarks remarks;
 };
 
 // Throws std::exception with one line for whatever is wrong.

@@ -4,23 +4,34 @@
 
 #include <fmt/format.h>
 
-#include "lkao/isa.h"
+#include "method/speed.h"
 
 namespace lkao::cli {
+
+using method::Batch, method::BatchCheck, method::Deviation, method::MethodKind, method::Remarks,
+    method::mrays_per_second;
+
 namespace {
 
 std::string speed_text(std::uint64_t ray_count, double seconds) {
   return fmt::format("{:.3f} s, {:.2f} Mrays/s", seconds, mrays_per_second(ray_count, seconds));
 }
 
-Json check_json(const BatchCheck& check) {
-  return {{"method", name_of(check.method)},
-          {"mismatched_rays", check.mismatched_ray_count},
-          {"ray_mismatch_rate", check.ray_mismatch_rate},
-          {"mae", check.occlusion.mae},
-          {"rmse", check.occlusion.rmse},
-          {"max_error", check.occlusion.max_error},
+Json check_json(const MethodKind& kind, const BatchCheck& check) {
+  const Deviation& off = check.deviation;
+  return {{"method", kind.word},
+          {"mismatched_rays", off.wrong_ray_count ? Json(*off.wrong_ray_count) : Json()},
+          {"ray_mismatch_rate", off.mismatch_rate},
+          {"mae", off.error.mae},
+          {"rmse", off.error.rmse},
+          {"max_error", off.error.max_error},
           {"seconds", check.seconds}};
+}
+
+// "mismatched rays 3 (rate 1e-05), ": nothing where rays were not compared.
+std::string ray_text(const Deviation& off) {
+  if (!off.wrong_ray_count) return "";
+  return fmt::format("mismatched rays {} (rate {:.3g}), ", grouped(*off.wrong_ray_count), off.mismatch_rate);
 }
 
 }  // namespace
@@ -43,38 +54,38 @@ void add_scene_row(Table& table, const SceneInput& scene) {
   table.add("scene", fmt::format("{}, {} triangles", scene.name, grouped(scene.mesh.triangles.size())));
 }
 
-void add_batch_rows(Table& table, Method method, const Batch& batch) {
+void add_batch_rows(Table& table, const MethodKind& kind, const Batch& batch) {
   table.add("rays", grouped(batch.ray_count));
-  table.add(name_of(method), speed_text(batch.ray_count, batch.seconds));
+  table.add(std::string(kind.word), speed_text(batch.ray_count, batch.seconds));
   if (batch.check) {
-    const BatchCheck& check = *batch.check;
-    table.add(name_of(check.method), speed_text(batch.ray_count, check.seconds));
-    table.add("difference", fmt::format("mismatched rays {} (rate {:.3g}), MAE {:.3g}, RMSE {:.3g}, maximum {:.3g}",
-                                        grouped(check.mismatched_ray_count), check.ray_mismatch_rate,
-                                        check.occlusion.mae, check.occlusion.rmse, check.occlusion.max_error));
+    const Deviation& off = batch.check->deviation;
+    table.add(std::string(reference_of(kind).word), speed_text(batch.ray_count, batch.check->seconds));
+    table.add("difference", fmt::format("{}MAE {:.3g}, RMSE {:.3g}, maximum {:.3g}", ray_text(off), off.error.mae,
+                                        off.error.rmse, off.error.max_error));
   }
   table.add("mean occlusion", fmt::format("{:.4f}", batch.occlusion_mean()));
 }
 
-void add_batch_keys(Json& document, const Batch& batch) {
+void add_batch_keys(Json& document, const MethodKind& kind, const Batch& batch) {
   document["rays"] = batch.ray_count;
   document["seconds"] = batch.seconds;
   document["mrays_per_second"] = mrays_per_second(batch.ray_count, batch.seconds);
   document["occlusion_mean"] = batch.occlusion_mean();
-  if (batch.check) document["reference"] = check_json(*batch.check);
+  if (batch.check) document["reference"] = check_json(reference_of(kind), *batch.check);
 }
 
 void add_setting_keys(Json& document, const OcclusionOptions& options) {
   document["falloff"] = options.falloff.name();
-  document["sided"] = options.sidedness == Sidedness::one_sided ? "one" : "two";
+  document["sided"] = word_of(method::kSidednessWords, options.sidedness);
   document["seed"] = options.seed;
   document["threads"] = tbb::this_task_arena::max_concurrency();
 }
 
-void add_kernel_keys(Json& document, const OcclusionOptions& options) {
-  document["kernel"] = name_of(options.kernel.value_or(KernelChoice::simd));
-  document["isa"] = active_isa();
+void add_remark_rows(Table& table, const Remarks& remarks) {
+  for (const auto& [label, text] : remarks.rows) table.add(label, text);
 }
+
+void add_remark_keys(Json& document, const Remarks& remarks) { document.update(remarks.keys); }
 
 void add_scene_keys(Json& document, const SceneInput& scene) {
   document["triangles"] = scene.mesh.triangles.size();

@@ -8,10 +8,11 @@
 
 #include <glm/vec3.hpp>
 
-#include "cli/batch.h"
 #include "cli/json_output.h"
 #include "cli/options.h"
 #include "cli/scene_input.h"
+#include "method/batch.h"
+#include "method/list.h"
 
 namespace lkao::cli {
 
@@ -32,10 +33,11 @@ Json vector_json(const glm::vec3& vector);
 
 // The rows and keys that renderings and bakes share.
 void add_scene_row(Table& table, const SceneInput& scene);
-void add_batch_rows(Table& table, Method method, const Batch& batch);
-void add_batch_keys(Json& document, const Batch& batch);
+void add_batch_rows(Table& table, const method::MethodKind& kind, const method::Batch& batch);
+void add_batch_keys(Json& document, const method::MethodKind& kind, const method::Batch& batch);
 void add_setting_keys(Json& document, const OcclusionOptions& options);
-void add_kernel_keys(Json& document, const OcclusionOptions& options);
+void add_remark_rows(Table& table, const method::Remarks& remarks);
+void add_remark_keys(Json& document, const method::Remarks& remarks);
 void add_scene_keys(Json& document, const SceneInput& scene);
 
 }  // namespace lkao::cli

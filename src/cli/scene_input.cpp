@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "cli/stopwatch.h"
+#include "method/stopwatch.h"
 #include "scene/load.h"
 
 namespace lkao::cli {
@@ -22,7 +22,7 @@ scene::SuggestedRadii suggest_radii(const std::string& name, const Bounds& bound
 }
 
 SceneInput load_scene(const std::string& name) {
-  const Stopwatch watch;
+  const method::Stopwatch watch;
   SceneInput scene{.name = name, .mesh = scene::load(name), .defects = {}, .load_seconds = 0};
   scene.defects = scene::find_defects(scene.mesh);
   scene::drop_bad_triangles(scene.mesh);

@@ -20,9 +20,9 @@
 #include "cli/progress_bar.h"
 #include "cli/report.h"
 #include "cli/scene_input.h"
-#include "cli/stopwatch.h"
 #include "lod/chain_file.h"
 #include "lod/simplify.h"
+#include "method/stopwatch.h"
 
 namespace lkao::cli {
 namespace {
@@ -70,7 +70,7 @@ Simplification compute(const SimplifyCommandOptions& options, ProgressBar& progr
   progress.clear();
   report_dropped_triangles(result.scene);
 
-  const Stopwatch watch;
+  const method::Stopwatch watch;
   result.simplified = simplify_watched(result.scene.mesh, rule, progress);
   result.seconds = watch.seconds();
   return result;

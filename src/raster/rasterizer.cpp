@@ -1,6 +1,7 @@
 #include "raster/rasterizer.h"
 
 #include <chrono>
+#include <cmath>
 #include <stdexcept>
 
 #include "raster/camera.h"
@@ -42,6 +43,14 @@ void Rasterizer::start_pass(const gl::MaskPassSetup& setup, const scene::Mesh& m
 gl::MaskPass& Rasterizer::pass() {
   require(pass_.has_value(), "no pass: call start_pass() first");
   return *pass_;
+}
+
+void Rasterizer::warm_up(const RayOptions& options, const gl::RasterOptions& raster) {
+  constexpr float kShare = 1e-4f;
+  RayOptions small = options;
+  small.radius = kShare * (std::isinf(options.radius) ? 1 : options.radius);
+  draw(small, raster);
+  drawn_ = Drawn::nothing;
 }
 
 double Rasterizer::draw(const RayOptions& options, const gl::RasterOptions& raster, bool with_bent_normals) {

@@ -38,8 +38,11 @@ class Rasterizer {
   // To change its table, and to read what the last frame left: masks, fragment counts. Needs start_pass().
   gl::MaskPass& pass();
 
-  // One frame, masks and resolve, with nothing else under way; returns its seconds. The first one includes what a
-  // driver leaves to the last moment, such as compiling shaders.
+  // A frame with next to nothing to draw, so that what a driver leaves to the first one, such as compiling shaders, is
+  // done.
+  void warm_up(const RayOptions& options, const gl::RasterOptions& raster = {});
+
+  // One frame, masks and resolve, with nothing else under way; returns its seconds.
   double draw(const RayOptions& options, const gl::RasterOptions& raster = {}, bool with_bent_normals = false);
 
   // Of the last frame, one a pixel, row by row from the top; NaN where there is no receiver, or one that casts no ray.

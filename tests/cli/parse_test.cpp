@@ -74,10 +74,10 @@ TEST(Parse, SeedsTakeAllBits) {
 
 TEST(Parse, SaysWhatWasExpectedAndWhatItGot) {
   try {
-    parse_sidedness("three");
+    parse_ray_count("100");
     FAIL();
   } catch (const std::invalid_argument& error) {
-    EXPECT_STREQ(error.what(), "expected one or two, got 'three'");
+    EXPECT_STREQ(error.what(), "expected a multiple of 64 from 64 to 1024, got '100'");
   }
 }
 

@@ -21,9 +21,9 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
-#include "cli/stopwatch.h"
 #include "image/image.h"
 #include "image/metrics.h"
+#include "method/stopwatch.h"
 #include "reference/embree_scene.h"
 #include "scene/builtin.h"
 #include "scene/load.h"
@@ -109,7 +109,7 @@ AoImage render(const char* name, const std::vector<SurfacePoint>& points, const 
   AoImage image;
   image.occlusion.resize(points.size(), std::numeric_limits<float>::quiet_NaN());
   image.masks.resize(points.size());
-  const lkao::cli::Stopwatch watch;
+  const lkao::method::Stopwatch watch;
   tbb::parallel_for(std::size_t{0}, points.size(), [&](std::size_t pixel) {
     if (points[pixel].normal == glm::vec3(0)) return;
     const lkao::ReceiverOcclusion answer = integrator(points[pixel], pixel);

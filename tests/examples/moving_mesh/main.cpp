@@ -18,14 +18,18 @@
 
 #include <CLI/CLI.hpp>
 
-#include "cli/stopwatch.h"
 #include "comparison.h"
 #include "image/image.h"
+#include "method/gl_words.h"
+#include "method/median.h"
+#include "method/plane_mask_words.h"
+#include "method/stopwatch.h"
 #include "moving_scene.h"
 #include "renderer.h"
 
 namespace {
 
+using lkao::method::median;
 using moving_mesh::Difference;
 using moving_mesh::MovingScene;
 using moving_mesh::Renderer;
@@ -53,15 +57,10 @@ Size parse_size(const std::string& text) {
   return size;
 }
 
-lkao::gl::Device device_named(const std::string& name) {
-  if (name == "hardware") return lkao::gl::Device::hardware;
-  return name == "software" ? lkao::gl::Device::software : lkao::gl::Device::automatic;
-}
-
 // The paper's approximate masks, fast enough for every frame, or exact ones.
 lkao::PlaneMaskTableOptions table_options(const Options& options) {
   lkao::PlaneMaskTableOptions table;
-  table.masks = options.masks == "exact" ? lkao::PlaneMasks::must_may : lkao::PlaneMasks::nearest;
+  table.masks = parse_word(lkao::method::kPlaneMaskWords, options.masks);
   return table;
 }
 
@@ -75,12 +74,6 @@ void write_picture(const std::string& path, const Renderer& renderer) {
   lkao::image::write_image(path, image);
 }
 
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 // Milliseconds of each frame.
 struct Times {
   std::vector<double> occlusion, all;
@@ -92,14 +85,14 @@ struct Times {
 };
 
 // Waits for the GPU, so that a time says what was done within it.
-double finished_milliseconds(const lkao::cli::Stopwatch& watch) {
+double finished_milliseconds(const lkao::method::Stopwatch& watch) {
   glFinish();
   return 1000 * watch.seconds();
 }
 
 void run(const Options& options) {
   const auto [width, height] = parse_size(options.size);
-  lkao::gl::HeadlessContext context(device_named(options.device));
+  lkao::gl::HeadlessContext context(parse_word(lkao::method::kDeviceWords, options.device));
   context.make_current();
   if (!options.output.empty()) std::filesystem::create_directories(options.output);
   MovingScene scene;
@@ -119,12 +112,12 @@ void run(const Options& options) {
 
   Times times;
   for (int frame = 0; frame < options.frame_count; ++frame) {
-    const lkao::cli::Stopwatch of_all;
+    const lkao::method::Stopwatch of_all;
     scene.move_to(frame * kSecondsAFrame);
     renderer.draw_g_buffer(mesh.positions, lkao::scene::vertex_normals(mesh));
     occluders.update_positions(mesh.positions);  // lkao
     glFinish();
-    const lkao::cli::Stopwatch of_occlusion;
+    const lkao::method::Stopwatch of_occlusion;
     pass.draw(occluders,                                                                                     // lkao
               {.width = width, .height = height, .depth = renderer.depth(), .normals = renderer.normals()},  // lkao
               {renderer.view(), renderer.projection(), lkao::gl::ClipDepth::zero_to_one}, ray_options);      // lkao
@@ -152,10 +145,10 @@ int main(int argc, char** argv) {
   app.add_option("--radius", options.radius, "AO radius")->capture_default_str();
   app.add_option("--rays", options.ray_count, "a pixel: 64, 128, ... 1024")->capture_default_str();
   app.add_option("--masks", options.masks, "nearest: the paper's, fast; exact: the query's")
-      ->check(CLI::IsMember({"nearest", "exact"}))
+      ->check(CLI::IsMember(list_words(lkao::method::kPlaneMaskWords)))
       ->capture_default_str();
   app.add_option("--gl", options.device, "which OpenGL to use")
-      ->check(CLI::IsMember({"software", "hardware", "auto"}))
+      ->check(CLI::IsMember(list_words(lkao::method::kDeviceWords)))
       ->capture_default_str();
   try {
     app.parse(argc, argv);

@@ -1,0 +1,13 @@
+// What each method's file gives to the list: all of a MethodKind but its word.
+#pragma once
+
+#include "method/method.h"
+
+namespace lkao::method {
+
+MethodKind traversal_kind();
+MethodKind embree_kind();
+// By OpenGL.
+MethodKind masks_kind();
+
+}  // namespace lkao::method

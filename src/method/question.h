@@ -1,0 +1,29 @@
+// What is asked about every receiver, whatever method answers.
+#pragma once
+
+#include <cstdint>
+
+#include "lkao/plane_mask_table.h"
+#include "lkao/receiver.h"
+#include "lkao/sample_pattern.h"
+#include "method/words.h"
+
+namespace lkao::method {
+
+inline constexpr Word<Sidedness> kSidednessWords[] = {{"one", Sidedness::one_sided}, {"two", Sidedness::two_sided}};
+
+struct Question {
+  float radius = 0;  // AO radius, > 0; perhaps infinite
+  int ray_count = 128;
+  Falloff falloff = Falloff::constant();
+  Sidedness sidedness = Sidedness::two_sided;
+  std::uint64_t seed = 0;
+
+  RayOptions ray_options() const { return {.radius = radius, .sidedness = sidedness, .seed = seed}; }
+  SamplePattern pattern() const;
+  PlaneMaskTable table(PlaneMasks masks) const;
+  // Rays beyond everything, of several lengths: shares of infinity that no table holds.
+  bool has_infinite_lengths() const;
+};
+
+}  // namespace lkao::method
