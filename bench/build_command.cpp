@@ -3,10 +3,8 @@
 #include <sys/resource.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdio>
-#include <map>
 #include <memory>
 #include <span>
 #include <string>
@@ -18,15 +16,16 @@
 #include <tbb/task_arena.h>
 #include <CLI/CLI.hpp>
 
-#include "build_cost.h"
-#include "build_report.h"
-#include "cli/median.h"
-#include "commands.h"
-#include "csv_file.h"
-#include "options.h"
+#include "bench/build_cost.h"
+#include "bench/build_report.h"
+#include "bench/commands.h"
+#include "bench/csv_file.h"
+#include "bench/options.h"
+#include "bench/study_scenes.h"
+#include "bench/tree_quality.h"
+#include "bench/word_option.h"
+#include "method/median.h"
 #include "scene/builtin.h"
-#include "study_scenes.h"
-#include "tree_quality.h"
 
 namespace lkao::bench {
 namespace {
@@ -35,7 +34,8 @@ struct Options {
   StudySceneOptions scenes;
   std::vector<std::size_t> hairballs;
   std::vector<int> thread_counts;
-  std::vector<BuildMethod> methods = {kBuildMethods.begin(), kBuildMethods.end()};
+  std::vector<BuildMethod> methods = {BuildMethod::lkao, BuildMethod::lkao_no_splits, BuildMethod::embree_high,
+                                      BuildMethod::embree_medium};
   int round_count = 5;
   bool queries = false;
   std::string csv;
@@ -66,11 +66,12 @@ BuildResult result_of(BuildMethod method, const Input& input, const Samples& sam
   const auto per_triangle = [&](std::size_t bytes) {
     return static_cast<double>(bytes) / static_cast<double>(std::max<std::size_t>(input.mesh.triangles.size(), 1));
   };
-  BuildResult result{method, cli::median(samples.build_seconds), cli::median(samples.cpu_seconds),
+  BuildResult result{method, method::median(samples.build_seconds), method::median(samples.cpu_seconds),
                      per_triangle(samples.last.memory_bytes), per_triangle(samples.last.mesh_bytes)};
   if (samples.last.occluders) result.quality = tree_quality(*samples.last.occluders);
   if (!samples.query_seconds.empty()) {
-    result.query_microseconds = cli::median(samples.query_seconds) * 1e6 / static_cast<double>(input.receivers.size());
+    result.query_microseconds =
+        method::median(samples.query_seconds) * 1e6 / static_cast<double>(input.receivers.size());
   }
   return result;
 }
@@ -100,12 +101,12 @@ std::string peak_memory() {
 
 class Comparison {
  public:
-  explicit Comparison(const Options& options) : options_(options), csv_(options.csv, build_csv_heading()) {}
+  explicit Comparison(const Options& options) : options_(options), csv_(options.csv, build_csv_columns()) {}
 
   void run() {
     std::vector<std::string> names;
     if (options_.hairballs.empty() || !options_.scenes.names.empty()) names = study_scene_names(options_.scenes);
-    fmt::print("{}", build_table_heading());
+    fmt::print("{}", table_heading(columns_));
     for (const std::string& name : names) {
       if (options_.queries) {
         const StudyScene scene = load_study_scene(name, options_.scenes);
@@ -119,8 +120,7 @@ class Comparison {
       const scene::Mesh mesh = scene::make_hairball(count);
       measure_scene("hairball", {mesh.view(), {}, 0});
     }
-    fmt::print("{}", build_quality_heading());
-    for (const BuildCell& cell : cells_) fmt::print("{}", build_quality_rows(cell));
+    print_quality();
     fmt::print("\n{}{}", build_summary(cells_), peak_memory());
   }
 
@@ -128,15 +128,27 @@ class Comparison {
   void measure_scene(const std::string& name, const Input& input) {
     for (const int thread_count : options_.thread_counts) {
       BuildCell cell{name, input.mesh.triangles.size(), thread_count, measure(input, thread_count, options_)};
-      fmt::print("{}", build_table_row(cell));
+      fmt::print("{}", table_row(columns_, build_table_measurement(cell)));
       std::fflush(stdout);
-      csv_.write(build_csv_rows(cell));
+      for (const Measurement& measurement : build_measurements(cell)) csv_.write(measurement);
       cells_.push_back(std::move(cell));
+    }
+  }
+
+  void print_quality() const {
+    const Columns columns = build_quality_columns();
+    fmt::print("\n{}", table_heading(columns));
+    for (const BuildCell& cell : cells_) {
+      const std::vector<Measurement> measurements = build_measurements(cell);
+      for (std::size_t i = 0; i < measurements.size(); ++i) {
+        if (cell.results[i].quality) fmt::print("{}", table_row(columns, measurements[i]));
+      }
     }
   }
 
   Options options_;
   CsvFile csv_;
+  const Columns columns_ = build_table_columns();
   std::vector<BuildCell> cells_;
 };
 
@@ -162,17 +174,15 @@ Command add_build_command(CLI::App& program) {
   app->add_option("--threads", options->thread_counts, "each in turn (default: 1 and all)")
       ->delimiter(',')
       ->check(CLI::Range(1, 1024));
-  std::map<std::string, BuildMethod> methods;
-  for (const BuildMethod method : kBuildMethods) methods[name_of(method)] = method;
-  app->add_option("--methods", options->methods,
-                  "of lkao, lkao_no_splits, embree_high, embree_medium; one, for its peak memory")
-      ->delimiter(',')
-      ->transform(CLI::CheckedTransformer(methods));
+  add_words_option(*app, "--methods", options->methods, kBuildMethodWords, "some of them; one, for its peak memory");
   app->add_flag("--queries", options->queries,
                 "also time queries in lkao's hierarchies: a view of 128 x 96 pixels, 128 rays, the largest radius");
   add_rounds_option(*app, options->round_count);
   add_csv_option(*app, options->csv);
-  return {app, [options] { Comparison(*options).run(); }};
+  return {app, [options] {
+            Comparison(*options).run();
+            return 0;
+          }};
 }
 
 }  // namespace lkao::bench

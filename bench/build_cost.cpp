@@ -1,4 +1,4 @@
-#include "build_cost.h"
+#include "bench/build_cost.h"
 
 #include <atomic>
 #include <ctime>
@@ -8,7 +8,7 @@
 #include <embree3/rtcore.h>
 #include <fmt/format.h>
 
-#include "cli/stopwatch.h"
+#include "method/stopwatch.h"
 #include "reference/embree_buffers.h"
 #include "scene/embree_handles.h"
 
@@ -34,7 +34,7 @@ class Stopwatches {
   double cpu_seconds() const { return static_cast<double>(std::clock() - cpu_start_) / CLOCKS_PER_SEC; }
 
  private:
-  cli::Stopwatch wall_;
+  method::Stopwatch wall_;
   std::clock_t cpu_start_ = std::clock();
 };
 
@@ -72,19 +72,6 @@ BuildCost build_lkao(const TriangleMesh& mesh, bool spatial_splits) {
 }
 
 }  // namespace
-
-const char* name_of(BuildMethod method) {
-  switch (method) {
-    case BuildMethod::lkao:
-      return "lkao";
-    case BuildMethod::lkao_no_splits:
-      return "lkao_no_splits";
-    case BuildMethod::embree_high:
-      return "embree_high";
-    default:
-      return "embree_medium";
-  }
-}
 
 BuildCost build_once(BuildMethod method, const TriangleMesh& mesh) {
   switch (method) {

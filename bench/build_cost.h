@@ -1,20 +1,20 @@
 // What it costs to build a hierarchy once: lkao's, and Embree's scene of the same mesh.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <optional>
 
 #include "lkao/occluder_bvh.h"
+#include "method/words.h"
 
 namespace lkao::bench {
 
 enum class BuildMethod { lkao, lkao_no_splits, embree_high, embree_medium };
 
-inline constexpr std::array kBuildMethods = {BuildMethod::lkao, BuildMethod::lkao_no_splits, BuildMethod::embree_high,
-                                             BuildMethod::embree_medium};
-
-const char* name_of(BuildMethod method);
+inline constexpr method::Word<BuildMethod> kBuildMethodWords[] = {{"lkao", BuildMethod::lkao},
+                                                                  {"lkao_no_splits", BuildMethod::lkao_no_splits},
+                                                                  {"embree_high", BuildMethod::embree_high},
+                                                                  {"embree_medium", BuildMethod::embree_medium}};
 
 struct BuildCost {
   double seconds;      // on the clock

@@ -1,11 +1,10 @@
-#include "build_report.h"
+#include "bench/build_report.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include <fmt/format.h>
 
-#include "provenance.h"
+#include "bench/geometric_mean.h"
 
 namespace lkao::bench {
 namespace {
@@ -21,24 +20,25 @@ std::optional<Ratios> ratios(const BuildCell& cell, BuildMethod method) {
                 own->bytes_per_triangle / other->bytes_per_triangle};
 }
 
+// A member of what there may be.
+template <class Object, class Member>
+Value value(const std::optional<Object>& object, Member Object::*member) {
+  return object ? Value((*object).*member) : Value();
+}
+
 std::string summarize(const std::vector<BuildCell>& cells, BuildMethod method) {
-  double log_seconds = 0, log_cpu_seconds = 0, log_memory = 0;
-  Ratios worst{0, 0, 0};
-  int count = 0;
+  std::vector<double> seconds, cpu_seconds, memory;
   for (const BuildCell& cell : cells) {
     const std::optional<Ratios> r = ratios(cell, method);
     if (!r) continue;
-    log_seconds += std::log(r->seconds), log_cpu_seconds += std::log(r->cpu_seconds), log_memory += std::log(r->memory);
-    worst = {std::max(worst.seconds, r->seconds), std::max(worst.cpu_seconds, r->cpu_seconds),
-             std::max(worst.memory, r->memory)};
-    ++count;
+    seconds.push_back(r->seconds), cpu_seconds.push_back(r->cpu_seconds), memory.push_back(r->memory);
   }
-  if (count == 0) return "";
-  return fmt::format(
-      "lkao over {}, geometric mean (most): time {:.2f} ({:.2f}), processor time {:.2f} ({:.2f}), memory {:.2f} "
-      "({:.2f})\n",
-      name_of(method), std::exp(log_seconds / count), worst.seconds, std::exp(log_cpu_seconds / count),
-      worst.cpu_seconds, std::exp(log_memory / count), worst.memory);
+  if (seconds.empty()) return "";
+  const auto text = [](const std::vector<double>& values) {
+    return fmt::format("{:.2f} ({:.2f})", geometric_mean(values), *std::max_element(values.begin(), values.end()));
+  };
+  return fmt::format("lkao over {}, geometric mean (most): time {}, processor time {}, memory {}\n",
+                     word_of(kBuildMethodWords, method), text(seconds), text(cpu_seconds), text(memory));
 }
 
 }  // namespace
@@ -48,68 +48,87 @@ const BuildResult* BuildCell::find(BuildMethod method) const {
   return found == results.end() ? nullptr : &*found;
 }
 
-std::string build_csv_heading() {
-  return provenance_comment() +
-         "scene,triangles,threads,method,seconds,cpu_seconds,bytes_per_triangle,mesh_bytes_per_triangle,time_ratio,cpu_"
-         "time_ratio,"
-         "memory_ratio,"
-         "nodes,references,sah_nodes,sah_leaves,query_us\n";
-}
-
-std::string build_csv_rows(const BuildCell& cell) {
-  std::string rows;
+std::vector<Measurement> build_measurements(const BuildCell& cell) {
+  std::vector<Measurement> measurements;
   for (const BuildResult& result : cell.results) {
     const std::optional<Ratios> r = ratios(cell, result.method);
-    const auto& q = result.quality;
-    rows += fmt::format(
-        "{},{},{},{},{:.6g},{:.6g},{:.5g},{:.5g},{},{},{}\n", cell.scene, cell.triangle_count, cell.thread_count,
-        name_of(result.method), result.seconds, result.cpu_seconds, result.bytes_per_triangle,
-        result.mesh_bytes_per_triangle,
-        r ? fmt::format("{:.5g},{:.5g},{:.5g}", r->seconds, r->cpu_seconds, r->memory) : ",,",
-        q ? fmt::format("{},{},{:.5g},{:.5g}", q->node_count, q->reference_count, q->visited_nodes, q->visited_leaves)
-          : ",,,",
-        result.query_microseconds ? fmt::format("{:.5g}", *result.query_microseconds) : "");
+    const std::optional<TreeQuality>& q = result.quality;
+    measurements.push_back({{"scene", cell.scene},
+                            {"triangles", cell.triangle_count},
+                            {"threads", cell.thread_count},
+                            {"method", word_of(kBuildMethodWords, result.method)},
+                            {"seconds", result.seconds},
+                            {"cpu_seconds", result.cpu_seconds},
+                            {"bytes_per_triangle", result.bytes_per_triangle},
+                            {"mesh_bytes_per_triangle", result.mesh_bytes_per_triangle},
+                            {"time_ratio", value(r, &Ratios::seconds)},
+                            {"cpu_time_ratio", value(r, &Ratios::cpu_seconds)},
+                            {"memory_ratio", value(r, &Ratios::memory)},
+                            {"nodes", value(q, &TreeQuality::node_count)},
+                            {"references", value(q, &TreeQuality::reference_count)},
+                            {"sah_nodes", value(q, &TreeQuality::visited_nodes)},
+                            {"sah_leaves", value(q, &TreeQuality::visited_leaves)},
+                            {"query_us", result.query_microseconds}});
   }
-  return rows;
+  return measurements;
 }
 
-std::string build_table_heading() {
-  std::string heading = fmt::format("{:16} {:>9} {:>7}", "scene", "triangles", "threads");
-  for (const BuildMethod method : kBuildMethods) {
-    heading += fmt::format(" | {:>14} {:>8}", name_of(method), "bytes/t");
-    if (method != BuildMethod::lkao) heading += fmt::format(" {:>6} {:>8}", "x time", "x memory");
-  }
-  return heading + "\n";
+Columns build_csv_columns() {
+  return {{"scene"},
+          {"triangles"},
+          {"threads"},
+          {"method"},
+          {"seconds", "{:.6g}"},
+          {"cpu_seconds", "{:.6g}"},
+          {"bytes_per_triangle", "{:.5g}"},
+          {"mesh_bytes_per_triangle", "{:.5g}"},
+          {"time_ratio", "{:.5g}"},
+          {"cpu_time_ratio", "{:.5g}"},
+          {"memory_ratio", "{:.5g}"},
+          {"nodes"},
+          {"references"},
+          {"sah_nodes", "{:.5g}"},
+          {"sah_leaves", "{:.5g}"},
+          {"query_us", "{:.5g}"}};
 }
 
-std::string build_table_row(const BuildCell& cell) {
-  std::string row = fmt::format("{:16} {:9} {:7}", cell.scene, cell.triangle_count, cell.thread_count);
-  for (const BuildMethod method : kBuildMethods) {
-    const BuildResult* result = cell.find(method);
-    row += result ? fmt::format(" | {:12.3f} s {:8.1f}", result->seconds, result->bytes_per_triangle)
-                  : fmt::format(" | {:>14} {:>8}", "-", "-");
+Columns build_quality_columns() {
+  return {{"scene", "{}", -16},
+          {"threads", "{}", 7},
+          {"method", "{}", -15},
+          {"nodes", "{}", 9},
+          {"references", "{}", 10},
+          {"sah_nodes", "{:.2f}", 9, "sah nodes"},
+          {"sah_leaves", "{:.2f}", 10, "sah leaves"},
+          {"query_us", "{:.3f}", 11, "us/receiver"}};
+}
+
+Columns build_table_columns() {
+  Columns columns = {{"scene", "{}", -16}, {"triangles", "{}", 9}, {"threads", "{}", 7}};
+  for (const auto& [word, method] : kBuildMethodWords) {
+    const std::string name(word);
+    columns.insert(columns.end(),
+                   {kBar, {name, "{:.3f} s", 14}, {name + " bytes_per_triangle", "{:.1f}", 8, "bytes/t"}});
     if (method == BuildMethod::lkao) continue;
+    columns.insert(columns.end(),
+                   {{name + " time_ratio", "{:.2f}", 6, "x time"}, {name + " memory_ratio", "{:.2f}", 8, "x memory"}});
+  }
+  return columns;
+}
+
+Measurement build_table_measurement(const BuildCell& cell) {
+  Measurement measurement = {{"scene", cell.scene}, {"triangles", cell.triangle_count}, {"threads", cell.thread_count}};
+  for (const auto& [word, method] : kBuildMethodWords) {
+    const BuildResult* const result = cell.find(method);
     const std::optional<Ratios> r = ratios(cell, method);
-    row += r ? fmt::format(" {:6.2f} {:8.2f}", r->seconds, r->memory) : fmt::format(" {:>6} {:>8}", "-", "-");
+    const std::string name(word);
+    measurement.emplace_back(name, result != nullptr ? Value(result->seconds) : Value());
+    measurement.emplace_back(name + " bytes_per_triangle",
+                             result != nullptr ? Value(result->bytes_per_triangle) : Value());
+    measurement.emplace_back(name + " time_ratio", value(r, &Ratios::seconds));
+    measurement.emplace_back(name + " memory_ratio", value(r, &Ratios::memory));
   }
-  return row + "\n";
-}
-
-std::string build_quality_heading() {
-  return fmt::format("\n{:16} {:>7} {:15} {:>9} {:>10} {:>9} {:>10} {:>11}\n", "scene", "threads", "method", "nodes",
-                     "references", "sah nodes", "sah leaves", "us/receiver");
-}
-
-std::string build_quality_rows(const BuildCell& cell) {
-  std::string rows;
-  for (const BuildResult& result : cell.results) {
-    const auto& q = result.quality;
-    if (!q) continue;
-    rows += fmt::format("{:16} {:7} {:15} {:9} {:10} {:9.2f} {:10.2f} {:>11}\n", cell.scene, cell.thread_count,
-                        name_of(result.method), q->node_count, q->reference_count, q->visited_nodes, q->visited_leaves,
-                        result.query_microseconds ? fmt::format("{:.3f}", *result.query_microseconds) : "-");
-  }
-  return rows;
+  return measurement;
 }
 
 std::string build_summary(const std::vector<BuildCell>& cells) {

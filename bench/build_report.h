@@ -6,8 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "build_cost.h"
-#include "tree_quality.h"
+#include "bench/build_cost.h"
+#include "bench/measurement.h"
+#include "bench/tree_quality.h"
 
 namespace lkao::bench {
 
@@ -30,17 +31,15 @@ struct BuildCell {
   const BuildResult* find(BuildMethod method) const;
 };
 
-// Where the figures come from, and the names of the columns.
-std::string build_csv_heading();
-// A row for every method; the ratios are lkao's over this method's, empty where lkao was not measured.
-std::string build_csv_rows(const BuildCell& cell);
+// Of every method; the ratios are lkao's over this method's, unknown where lkao was not measured.
+std::vector<Measurement> build_measurements(const BuildCell& cell);
+Columns build_csv_columns();
+// The hierarchies of lkao, and how fast queries are in them: of measurements with a quality.
+Columns build_quality_columns();
 
-std::string build_table_heading();
-std::string build_table_row(const BuildCell& cell);
-
-// The hierarchies of lkao, and how fast queries are in them.
-std::string build_quality_heading();
-std::string build_quality_rows(const BuildCell& cell);
+// A row for every cell, all methods side by side.
+Columns build_table_columns();
+Measurement build_table_measurement(const BuildCell& cell);
 
 // Geometric means and worst cells of lkao against the other methods. Empty where there is nothing to compare.
 std::string build_summary(const std::vector<BuildCell>& cells);

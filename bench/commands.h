@@ -11,7 +11,7 @@ namespace lkao::bench {
 
 struct Command {
   CLI::App* app;
-  std::function<void()> run;  // once the command line is parsed; throws with one line
+  std::function<int()> run;  // once the command line is parsed; returns an exit code, throws with one line
 };
 
 // Ray casting against Embree.
@@ -20,9 +20,13 @@ Command add_rays_command(CLI::App& program);
 Command add_spread_command(CLI::App& program);
 // Builds against Embree.
 Command add_build_command(CLI::App& program);
-// The rasterised method against the query; where it is built.
+// The rasterised method against the query; where OpenGL is built.
 Command add_raster_command(CLI::App& program);
-// Levels of detail, by both; where OpenGL is built.
+// Levels of detail, by every method that takes them.
 Command add_lod_command(CLI::App& program);
+// Plane mask tables by size and kind.
+Command add_tables_command(CLI::App& program);
+// Sample patterns against the integral.
+Command add_patterns_command(CLI::App& program);
 
 }  // namespace lkao::bench

@@ -1,4 +1,4 @@
-#include "compared_isas.h"
+#include "bench/compared_isas.h"
 
 #include <algorithm>
 #include <stdexcept>

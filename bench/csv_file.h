@@ -1,11 +1,11 @@
-// Measurements written as they come.
+// Measurements written as they come, with what they were measured on.
 #pragma once
 
-#include <filesystem>
 #include <fstream>
-#include <stdexcept>
 #include <string>
-#include <system_error>
+#include <vector>
+
+#include "bench/measurement.h"
 
 namespace lkao::bench {
 
@@ -13,35 +13,25 @@ namespace lkao::bench {
 // the scene could not be loaded.
 class CsvFile {
  public:
-  CsvFile(const std::string& path, const std::string& heading) : path_(path) {
-    if (path_.empty()) return;
-    file_.open(path_);
-    put(heading);
-  }
-
-  ~CsvFile() {
-    std::error_code ignored;
-    if (!has_rows_ && std::filesystem::is_regular_file(path_, ignored)) std::filesystem::remove(path_, ignored);
-  }
+  // Begins with lines of '#': processor, compiler and commit, then the notes. Throws std::runtime_error with one line.
+  CsvFile(const std::string& path, Columns columns, const std::vector<std::string>& notes = {});
+  ~CsvFile();
   CsvFile(const CsvFile&) = delete;
   CsvFile& operator=(const CsvFile&) = delete;
 
   // Throws std::runtime_error with one line.
-  void write(const std::string& rows) {
-    put(rows);
-    has_rows_ = true;
-  }
+  void write(const Measurement& measurement);
 
  private:
-  void put(const std::string& text) {
-    if (path_.empty()) return;
-    file_ << text << std::flush;
-    if (!file_) throw std::runtime_error(path_ + ": cannot be written");
-  }
+  void put(const std::string& text);
 
+  Columns columns_;
   bool has_rows_ = false;
   std::string path_;
   std::ofstream file_;
 };
+
+// The note of where a figure was computed, none for the CPU.
+std::vector<std::string> device_notes(const std::string& device);
 
 }  // namespace lkao::bench

@@ -1,4 +1,4 @@
-#include "embree_modes.h"
+#include "bench/embree_modes.h"
 
 #include <algorithm>
 #include <cstddef>

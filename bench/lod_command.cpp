@@ -1,6 +1,5 @@
 // lkao-bench lod: what levels of detail save, and what they cost. Figure 7 of Laine & Karras 2010 in numbers.
 #include <cstdio>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -9,172 +8,169 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
-#include "answers.h"
-#include "cli/stopwatch.h"
-#include "commands.h"
-#include "csv_file.h"
-#include "lod/occluders.h"
-#include "lod/simplify.h"
-#include "options.h"
-#include "raster_frames.h"
-#include "study_scenes.h"
+#include "bench/commands.h"
+#include "bench/csv_file.h"
+#include "bench/lod_variants.h"
+#include "bench/options.h"
+#include "bench/study_scenes.h"
+#include "method/answers.h"
+#include "method/list.h"
+#include "method/setting_options.h"
+#include "method/stopwatch.h"
 
 namespace lkao::bench {
 namespace {
 
 struct Options {
   StudySceneOptions scenes = {.views = {}, .meshes = {}, .names = {}, .width = 192, .height = 144};
-  FrameOptions frames;
+  std::vector<std::string> methods;  // the traversal first: it says what is exact
+  method::Settings settings;
   std::vector<float> ks = {2, 3, 5, 10};
   int level_count = 4;
-  bool without_raster = false;
+  int round_count = 1;
   std::string csv;
 };
 
-// Levels for one k and one epsilon.
-struct Variant {
-  float k = 0, epsilon = 0;  // 0: the scene itself
-  lod::Chain chain;
+std::vector<const method::MethodKind*> kinds_with_levels() {
+  std::vector<const method::MethodKind*> kinds;
+  for (const method::MethodKind& kind : method::method_kinds()) {
+    if (kind.is_built() && kind.abilities({}).levels) kinds.push_back(&kind);
+  }
+  return kinds;
+}
+
+Columns csv_columns() {
+  return {{"scene"},
+          {"radius", "{:g}"},
+          {"method"},
+          {"k", "{:g}"},
+          {"epsilon", "{:g}"},
+          {"triangles"},
+          {"milliseconds", "{:.5g}"},
+          {"speedup", "{:.4f}"},
+          {"ray_mismatch_rate", "{:.4g}"},
+          {"mae", "{:.4g}"},
+          {"rmse", "{:.4g}"},
+          {"equal_8bit_share", "{:.5f}"},
+          {"mean_change", "{:.4g}"}};
+}
+
+Columns table_columns() {
+  return {{"scene", "{}", -14},
+          {"radius", "{:g}", 7},
+          {"method", "{}", -6},
+          {"k", "{:g}", 3},
+          {"epsilon", "{:.3g}", 9},
+          {"triangles", "{}", 10},
+          kBar,
+          {"milliseconds", "{:.2f}", 9, "ms"},
+          {"speedup", "{:.2f}", 6, "x"},
+          kBar,
+          {"ray_mismatch_rate", "{:.2g}", 9, "mismatch"},
+          {"mae", "{:.5f}", 8, "MAE"},
+          {"rmse", "{:.5f}", 8, "RMSE"},
+          {"equal_8bit_percent", "{:.2f}%", 7, "8 bits"},
+          {"mean_change", "{:+.5f}", 8, "change"}};
+}
+
+struct OpenMethod {
+  std::string word;
+  std::unique_ptr<method::Method> method;
 };
 
-// What one method makes of a variant.
-struct Row {
-  const char* method;
-  double milliseconds;
-  Deviation off;
-};
-
-// Levels of detail of one scene at its large radius, by both methods.
-class LodStudy {
- public:
-  LodStudy(const StudyScene& scene, const Options& options) : scene_(scene), options_(options) {}
-
-  void prepare() {
-    const cli::Stopwatch time;
-    // A third of the automatic epsilon, and one level more: the chain without its first level is the automatic one.
-    lod::LevelRule rule{.epsilon = 0, .level_count = options_.level_count};
-    rule.epsilon = lod::automatic_epsilon(radius(), rule) / rule.growth;
-    ++rule.level_count;
-    const lod::Chain chain = lod::simplify(scene_.mesh, {.levels = rule}).chain;
-    simplify_seconds_ = time.seconds();
-    variants_.push_back({0, 0, {.k = 0, .growth = 0, .levels = {{scene_.mesh, 0, 0, kInfinity}}}});
-    for (const std::size_t skipped : {std::size_t{0}, std::size_t{1}}) {
-      for (const float k : options_.ks) variants_.push_back(variant_of(chain, skipped, k));
-    }
+std::vector<OpenMethod> open_methods(const Options& options) {
+  std::vector<OpenMethod> methods;
+  for (const std::string& word : options.methods) {
+    methods.push_back({word, method::method_named(word).open(options.settings)});
   }
+  return methods;
+}
 
-  float radius() const { return scene_.radii.back(); }
-  double simplify_seconds() const { return simplify_seconds_; }
-  const std::vector<Variant>& variants() const { return variants_; }
-
-  std::vector<Row> by_query() {
-    const SamplePattern& pattern = SamplePattern::standard(options_.frames.ray_count);
-    std::vector<AmbientOcclusion> queries;
-    for (const Variant& variant : variants_) {
-      queries.emplace_back(lod::build_levels(variant.chain, radius()), pattern, RayOptions{.radius = radius()});
-    }
-    const std::vector<Answers> answers = ask(queries, scene_.view.receivers, options_.frames.round_count);
-    exact_ = answers[0];
-    std::vector<Row> rows;
-    for (const Answers& a : answers) rows.push_back({"bvh", 1000 * a.seconds, deviation(a, exact_)});
-    return rows;
-  }
-
-  // After by_query(), which tells what is exact.
-  std::vector<Row> by_raster(raster::Rasterizer& rasterizer) const {
-    RasterFrames frames(rasterizer, scene_, radius(), options_.frames);
-    frames.set_exact(Sidedness::two_sided, exact_);
-    std::vector<Row> rows;
-    for (const Variant& variant : variants_) {
-      const lod::RangedMesh merged = lod::merge(variant.chain, radius());
-      const FrameSetup setup{.name = "", .masks = PlaneMasks::must_may, .levels = &merged};
-      const FrameResult result = frames.draw({setup}, false).front();
-      rows.push_back({"raster", result.milliseconds, result.off});
-    }
-    return rows;
-  }
-
- private:
-  static constexpr float kInfinity = std::numeric_limits<float>::infinity();
-
-  // Without the first `skipped` simplified levels, and ranges for another k.
-  static Variant variant_of(const lod::Chain& chain, std::size_t skipped, float k) {
-    const auto first = chain.levels.begin() + 1 + static_cast<std::ptrdiff_t>(skipped);
-    const int level_count = 1 + static_cast<int>(chain.levels.end() - first);
-    Variant variant{k, first->epsilon, lod::empty_chain({first->epsilon, k, chain.growth, level_count})};
-    variant.chain.levels[0].mesh = chain.levels[0].mesh;
-    for (std::size_t i = 1; i < variant.chain.levels.size(); ++i) {
-      variant.chain.levels[i].mesh = chain.levels[i + skipped].mesh;
-    }
-    return variant;
-  }
-
-  const StudyScene& scene_;
-  const Options& options_;
-  double simplify_seconds_ = 0;
-  std::vector<Variant> variants_;
-  Answers exact_;  // for the scene itself
-};
+std::string devices_of(const std::vector<OpenMethod>& methods) {
+  std::string devices;
+  for (const OpenMethod& open : methods) devices += open.method->device();
+  return devices;
+}
 
 class Studies {
  public:
   explicit Studies(const Options& options)
       : options_(options),
         names_(study_scene_names(options.scenes)),
-        csv_(options.csv,
-             "scene,radius,method,k,epsilon,triangles,milliseconds,speedup,ray_mismatch_rate,mae,rmse,equal_8bit_share,"
-             "mean_change\n") {
-    if (!options.without_raster) rasterizer_.emplace(options.frames.device);
-  }
+        methods_(open_methods(options)),
+        csv_(options.csv, csv_columns(), device_notes(devices_of(methods_))) {}
 
   void run() {
-    fmt::print("{:14} {:>7} {:6} {:>3} {:>9} {:>10} | {:>9} {:>6} | {:>9} {:>8} {:>8} {:>7} {:>8}\n", "scene", "radius",
-               "method", "k", "epsilon", "triangles", "ms", "x", "mismatch", "MAE", "RMSE", "8 bits", "change");
+    fmt::print("{}", table_heading(columns_));
     for (const std::string& name : names_) study_scene(load_study_scene(name, options_.scenes));
   }
 
  private:
+  // At its large radius.
   void study_scene(const StudyScene& scene) {
-    LodStudy study(scene, options_);
-    study.prepare();
-    report(scene, study, study.by_query());
-    if (rasterizer_) report(scene, study, study.by_raster(*rasterizer_));
-    fmt::print("{:14} simplified in {:.1f} s\n", scene.name, study.simplify_seconds());
+    const method::Stopwatch time;
+    const std::vector<LodVariant> variants =
+        make_lod_variants(scene.mesh, scene.radii.back(), options_.level_count, options_.ks);
+    const double simplify_seconds = time.seconds();
+    std::optional<method::Answers> exact;
+    for (const OpenMethod& open : methods_) study_method(scene, variants, open, exact);
+    fmt::print("{:14} simplified in {:.1f} s\n", scene.name, simplify_seconds);
     std::fflush(stdout);
   }
 
-  void report(const StudyScene& scene, const LodStudy& study, const std::vector<Row>& rows) {
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-      const Variant& variant = study.variants()[i];
-      std::size_t triangle_count = 0;
-      for (const lod::LevelInUse& level : lod::levels_in_use(variant.chain, study.radius())) {
-        triangle_count += level.mesh->triangles.size();
-      }
-      const Row& row = rows[i];
-      const double speedup = rows[0].milliseconds / row.milliseconds;
-      fmt::print("{:14} {:7g} {:6} {:3g} {:9.3g} {:10} | {:9.2f} {:6.2f} | {:9.2g} {:8.5f} {:8.5f} {:6.2f}% {:+8.5f}\n",
-                 scene.name, study.radius(), row.method, variant.k, variant.epsilon, triangle_count, row.milliseconds,
-                 speedup, row.off.mismatch_rate, row.off.error.mae, row.off.error.rmse,
-                 100 * row.off.error.equal_8bit_share, row.off.mean_change);
-      csv_.write(fmt::format("{},{:g},{},{:g},{:g},{},{:.5g},{:.4f},{:.4g},{:.4g},{:.4g},{:.5f},{:.4g}\n", scene.name,
-                             study.radius(), row.method, variant.k, variant.epsilon, triangle_count, row.milliseconds,
-                             speedup, row.off.mismatch_rate, row.off.error.mae, row.off.error.rmse,
-                             row.off.error.equal_8bit_share, row.off.mean_change));
+  // The first answers ever, of the scene itself, are the exact ones.
+  void study_method(const StudyScene& scene, const std::vector<LodVariant>& variants, const OpenMethod& open,
+                    std::optional<method::Answers>& exact) {
+    double scene_seconds = 0;
+    for (const LodVariant& variant : variants) {
+      const method::Answers answers = answer(scene, variant, *open.method);
+      if (!exact) exact = answers;
+      if (&variant == &variants.front()) scene_seconds = answers.seconds;
+      report(scene, variant, open.word, answers, scene_seconds, deviation(answers, *exact));
     }
+  }
+
+  method::Answers answer(const StudyScene& scene, const LodVariant& variant, method::Method& method) const {
+    const method::Question question{.radius = scene.radii.back()};
+    method::Occluders occluders(scene.mesh, variant.chain, question.radius);
+    method.prepare({occluders, question, method::View{scene.camera, scene.view}});
+    return method::ask(method, question.pattern().word_count(), scene.view.receivers, options_.round_count);
+  }
+
+  void report(const StudyScene& scene, const LodVariant& variant, const std::string& word,
+              const method::Answers& answers, double scene_seconds, const method::Deviation& off) {
+    const Measurement measurement = {{"scene", scene.name},
+                                     {"radius", scene.radii.back()},
+                                     {"method", word},
+                                     {"k", variant.k},
+                                     {"epsilon", variant.epsilon},
+                                     {"triangles", triangle_count(variant, scene.radii.back())},
+                                     {"milliseconds", 1000 * answers.seconds},
+                                     {"speedup", scene_seconds / answers.seconds},
+                                     {"ray_mismatch_rate", off.mismatch_rate},
+                                     {"mae", off.error.mae},
+                                     {"rmse", off.error.rmse},
+                                     {"equal_8bit_share", off.error.equal_8bit_share},
+                                     {"equal_8bit_percent", 100 * off.error.equal_8bit_share},
+                                     {"mean_change", off.mean_change}};
+    csv_.write(measurement);
+    fmt::print("{}", table_row(columns_, measurement));
     std::fflush(stdout);
   }
 
   Options options_;
   std::vector<std::string> names_;
+  std::vector<OpenMethod> methods_;
   CsvFile csv_;
-  std::optional<raster::Rasterizer> rasterizer_;
+  const Columns columns_ = table_columns();
 };
 
 }  // namespace
 
 Command add_lod_command(CLI::App& program) {
   auto options = std::make_shared<Options>();
-  options->frames.round_count = 1;
+  const std::vector<const method::MethodKind*> kinds = kinds_with_levels();
+  for (const method::MethodKind* kind : kinds) options->methods.emplace_back(kind->word);
   CLI::App* app = program.add_subcommand("lod", "Levels of detail: time saved and error added, at the large radius.");
   add_scene_options(*app, options->scenes);
   add_size_options(*app, options->scenes);
@@ -185,11 +181,17 @@ Command add_lod_command(CLI::App& program) {
   app->add_option("--levels", options->level_count, "with the original")
       ->check(CLI::Range(2, 8))
       ->capture_default_str();
-  add_rounds_option(*app, options->frames.round_count);
-  add_gl_option(*app, options->frames.device);
-  app->add_flag("--without-raster", options->without_raster, "the query alone");
+  app->add_option("--methods", options->methods, "the first one says what is exact")
+      ->delimiter(',')
+      ->check(CLI::IsMember(options->methods))
+      ->capture_default_str();
+  method::add_setting_options(*app, options->settings, kinds);
+  add_rounds_option(*app, options->round_count);
   add_csv_option(*app, options->csv);
-  return {app, [options] { Studies(*options).run(); }};
+  return {app, [options] {
+            Studies(*options).run();
+            return 0;
+          }};
 }
 
 }  // namespace lkao::bench

@@ -1,24 +1,47 @@
-// The program `lkao-bench`: comparisons of speed that always say what the answers are worth.
+// The program `lkao-bench`: measurements of speed that always say what the answers are worth.
+#include <cstdio>
+#include <exception>
 #include <vector>
 
+#include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
-#include "commands.h"
-#include "program.h"
+#include "bench/commands.h"
+#include "image/one_line.h"
 
-int main(int argc, char** argv) {
-  using namespace lkao::bench;
-  CLI::App program("Speed of lkao, against Embree on the same rays.", "lkao-bench");
-  program.require_subcommand(1);
-  std::vector<Command> commands = {add_rays_command(program), add_spread_command(program), add_build_command(program)};
+namespace lkao::bench {
+namespace {
+
+std::vector<Command> add_commands(CLI::App& program) {
+  return {
+    add_rays_command(program), add_spread_command(program), add_build_command(program),
 #if LKAO_BENCH_GL
-  commands.push_back(add_raster_command(program));
-  commands.push_back(add_lod_command(program));
+        add_raster_command(program),
 #endif
-  return run_program(program, argc, argv, [&] {
+        add_lod_command(program), add_tables_command(program), add_patterns_command(program),
+  };
+}
+
+int run(int argc, char** argv) {
+  CLI::App program("Speed and error of lkao: against Embree on the same rays, of its methods and of their parts.",
+                   "lkao-bench");
+  program.require_subcommand(1);
+  const std::vector<Command> commands = add_commands(program);
+  try {
+    program.parse(argc, argv);
     for (const Command& command : commands) {
-      if (command.app->parsed()) command.run();
+      if (command.app->parsed()) return command.run();
     }
     return 0;
-  });
+  } catch (const CLI::Success& request) {  // --help
+    return program.exit(request);
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "{}: {}\n", program.get_name(), image::one_line(error.what()));
+    return 2;
+  }
 }
+
+}  // namespace
+}  // namespace lkao::bench
+
+int main(int argc, char** argv) { return lkao::bench::run(argc, argv); }

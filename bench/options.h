@@ -1,10 +1,10 @@
-// Options that several of the programs have.
+// Options that several subcommands have.
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include "study_scenes.h"
+#include "bench/study_scenes.h"
 
 namespace CLI {
 class App;

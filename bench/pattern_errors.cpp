@@ -1,4 +1,4 @@
-#include "pattern_errors.h"
+#include "bench/pattern_errors.h"
 
 #include <cmath>
 #include <cstdint>
@@ -7,8 +7,8 @@
 #include <tbb/parallel_for.h>
 #include <glm/mat3x3.hpp>
 
+#include "bench/pattern_hits.h"
 #include "lut/pattern_points.h"
-#include "pattern_hits.h"
 #include "query/receiver_rays.h"
 
 namespace lkao::bench {

@@ -1,4 +1,4 @@
-#include "pattern_hits.h"
+#include "bench/pattern_hits.h"
 
 #include <algorithm>
 #include <cmath>

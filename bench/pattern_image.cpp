@@ -1,11 +1,12 @@
-#include "pattern_image.h"
+#include "bench/pattern_image.h"
 
 #include <vector>
 
 #include <tbb/parallel_for.h>
 #include <glm/mat3x3.hpp>
 
-#include "pattern_hits.h"
+#include "bench/pattern_cases.h"
+#include "bench/pattern_hits.h"
 #include "query/receiver_rays.h"
 #include "scene/builtin.h"
 #include "scene/camera.h"
@@ -14,8 +15,6 @@ namespace lkao::bench {
 namespace {
 
 constexpr int kWidth = 240, kHeight = 180;
-constexpr PatternKind kColumns[] = {PatternKind::lloyd, PatternKind::paper, PatternKind::fibonacci, PatternKind::sobol,
-                                    PatternKind::random};
 constexpr struct {
   int ray_count;
   float rotation;
@@ -42,12 +41,12 @@ image::Image pattern_image(const std::string& builtin_scene) {
   const scene::ReceiverImage seen = scene::find_receivers(mesh, camera, kWidth, kHeight);
   const FirstHits hits(mesh, builtin.radii.large);
 
-  const int columns = static_cast<int>(std::size(kColumns)), rows = static_cast<int>(std::size(kRows));
+  const int columns = static_cast<int>(std::size(kPatternKinds)), rows = static_cast<int>(std::size(kRows));
   image::Image picture{columns * kWidth, rows * kHeight, {"Y"}, {}};
   picture.pixels.assign(static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height), 0.0f);
   for (int row = 0; row < rows; ++row) {
     for (int column = 0; column < columns; ++column) {
-      const SamplePattern pattern = SamplePattern::make(kColumns[column], kRows[row].ray_count);
+      const SamplePattern pattern = SamplePattern::make(kPatternKinds[column], kRows[row].ray_count);
       tbb::parallel_for(std::size_t{0}, seen.receivers.size(), [&](std::size_t pixel) {
         if (!seen.sees(pixel)) return;
         const int x = column * kWidth + static_cast<int>(pixel % kWidth);

@@ -1,4 +1,4 @@
-#include "plane_errors.h"
+#include "bench/plane_errors.h"
 
 #include <cmath>
 #include <numbers>

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Plots the CSV of lkao_bench_patterns: RMSE against ray count, a line a pattern.
+"""Plots the CSV of lkao-bench patterns: RMSE against ray count, a line a pattern.
 
 usage: plot_patterns.py patterns.csv patterns.png [falloff ...]     (default falloffs: constant linear)
 
@@ -46,7 +46,7 @@ def main():
     if len(sys.argv) < 3:
         sys.exit(__doc__)
     with open(sys.argv[1], newline="") as file:
-        rows = list(csv.DictReader(file))
+        rows = list(csv.DictReader(line for line in file if not line.startswith("#")))
     falloffs = sys.argv[3:] or ["constant", "linear"]
     figure, panels = plt.subplots(1, len(falloffs), figsize=(6 * len(falloffs), 5), sharey=True, squeeze=False)
     for axes, falloff in zip(panels[0], falloffs):

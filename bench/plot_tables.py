@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Plots the CSV of lkao_bench_tables: errors, doubts and speed against the size of the table.
+"""Plots the CSV of lkao-bench tables: errors, doubts and speed against the size of the table.
 
 usage: plot_tables.py tables.csv tables.png [rays]     (rays: one of the ray counts in the file; default 128)
 
@@ -50,13 +50,13 @@ def main():
     if len(sys.argv) not in (3, 4):
         sys.exit(__doc__)
     with open(sys.argv[1], newline="") as file:
-        rows = list(csv.DictReader(file))
+        rows = list(csv.DictReader(line for line in file if not line.startswith("#")))
     ray_count = sys.argv[3] if len(sys.argv) == 4 else "128"
     rows = [r for r in rows if r["rays"] == ray_count]
     if not rows:
         sys.exit(f"plot_tables.py: no rows with {ray_count} rays in {sys.argv[1]}")
     nearest = [r for r in rows if r["masks"] == "nearest"]
-    must_may = [r for r in rows if r["masks"] == "must_may"]
+    must_may = [r for r in rows if r["masks"] == "exact"]
 
     figure, panels = plt.subplots(2, 4, figsize=(20, 9))
     for axes, kind, name in ((panels[0], nearest, "nearest: wrong"), (panels[1], must_may, "must/may: in doubt")):

@@ -1,4 +1,4 @@
-#include "provenance.h"
+#include "bench/provenance.h"
 
 #include <fstream>
 

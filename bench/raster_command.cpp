@@ -2,7 +2,6 @@
 #include <cstdio>
 #include <limits>
 #include <memory>
-#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -11,25 +10,17 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
-#include "commands.h"
-#include "csv_file.h"
-#include "options.h"
-#include "raster_frames.h"
-#include "raster_report.h"
-#include "study_scenes.h"
+#include "bench/commands.h"
+#include "bench/csv_file.h"
+#include "bench/options.h"
+#include "bench/raster_frames.h"
+#include "bench/raster_report.h"
+#include "bench/study_scenes.h"
+#include "method/gl_device.h"
+#include "method/setting_options.h"
 
 namespace lkao::bench {
 namespace {
-
-const std::vector<std::string> kStudies = {"methods", "culls", "shapes", "back_ends"};
-
-struct Options {
-  StudySceneOptions scenes = {.views = {}, .meshes = {}, .names = {}, .width = 512, .height = 384};
-  FrameOptions frames;
-  std::vector<float> radii;  // empty: the scene's own
-  std::vector<std::string> studies = kStudies;
-  std::string csv;
-};
 
 std::vector<FrameSetup> methods() {
   return {{.name = "nearest cells", .masks = PlaneMasks::nearest},
@@ -67,41 +58,45 @@ std::vector<FrameSetup> shapes() {
 }
 
 std::vector<FrameSetup> back_ends() {
-  using gl::Accumulator, gl::GeometryBackEnd;
   std::vector<FrameSetup> setups;
-  for (const GeometryBackEnd geometry : {GeometryBackEnd::vertex_pulling, GeometryBackEnd::geometry_shader}) {
-    for (const Accumulator accumulator : {Accumulator::logic_op, Accumulator::ssbo}) {
-      const std::string name =
-          fmt::format("{} + {}", geometry == GeometryBackEnd::vertex_pulling ? "vertex pulling" : "geometry shader",
-                      accumulator == Accumulator::logic_op ? "logic op" : "atomics");
-      setups.push_back({.name = name, .pass = {.geometry = geometry, .accumulator = accumulator}});
+  for (const auto& [geometry_word, geometry] : method::kGeometryWords) {
+    for (const auto& [accumulator_word, accumulator] : method::kAccumulatorWords) {
+      setups.push_back({.name = fmt::format("{} + {}", geometry_word, accumulator_word),
+                        .pass = {.geometry = geometry, .accumulator = accumulator}});
     }
   }
   return setups;
 }
 
-std::vector<FrameSetup> setups_of(const std::string& study) {
-  if (study == "methods") return methods();
-  if (study == "culls") return culls();
-  return study == "shapes" ? shapes() : back_ends();
-}
+constexpr method::Word<std::vector<FrameSetup> (*)()> kStudies[] = {
+    {"methods", methods}, {"culls", culls}, {"shapes", shapes}, {"back_ends", back_ends}};
+
+struct Options {
+  StudySceneOptions scenes = {.views = {}, .meshes = {}, .names = {}, .width = 512, .height = 384};
+  FrameOptions frames;
+  method::Settings settings;  // the device
+  std::vector<float> radii;   // empty: the scene's own
+  std::vector<std::string> studies = list_words(kStudies);
+  std::string csv;
+};
 
 class Studies {
  public:
   explicit Studies(const Options& options)
       : options_(options),
         names_(study_scene_names(options.scenes)),
-        csv_(options.csv, raster_csv_heading()),
-        rasterizer_(options.frames.device) {}
+        rasterizer_(method::prepare_device(options.settings)),
+        csv_(options.csv, raster_csv_columns(), device_notes(device())) {}
 
   void run() {
-    fmt::print("{} ({}), {} x {} pixels, {} rays\n{}", rasterizer_.context().renderer(),
-               rasterizer_.context().version(), options_.scenes.width, options_.scenes.height,
-               options_.frames.ray_count, raster_table_heading());
+    fmt::print("{}, {} x {} pixels, {} rays\n{}", device(), options_.scenes.width, options_.scenes.height,
+               options_.frames.ray_count, table_heading(columns_));
     for (const std::string& name : names_) study_scene(load_study_scene(name, options_.scenes));
   }
 
  private:
+  std::string device() const { return method::device_text(rasterizer_.context()); }
+
   void study_scene(const StudyScene& scene) {
     for (const float radius : options_.radii.empty() ? scene.radii : options_.radii) {
       RasterFrames frames(rasterizer_, scene, radius, options_.frames);
@@ -110,7 +105,7 @@ class Studies {
   }
 
   static RasterStudy run_study(RasterFrames& frames, RasterStudy study) {
-    const std::vector<FrameSetup> setups = setups_of(study.name);
+    const std::vector<FrameSetup> setups = parse_word(kStudies, study.name)();
     for (const FrameSetup& setup : setups) study.variants.push_back(setup.name);
     study.results = frames.draw(setups, study.name == "culls" || study.name == "shapes");
     if (study.name == "methods") {
@@ -121,15 +116,18 @@ class Studies {
   }
 
   void report(const RasterStudy& study) {
-    csv_.write(raster_csv_rows(study));
-    fmt::print("{}", raster_table_rows(study));
+    for (const Measurement& measurement : raster_measurements(study)) {
+      csv_.write(measurement);
+      fmt::print("{}", table_row(columns_, measurement));
+    }
     std::fflush(stdout);
   }
 
   Options options_;
   std::vector<std::string> names_;
-  CsvFile csv_;
   raster::Rasterizer rasterizer_;
+  CsvFile csv_;
+  const Columns columns_ = raster_table_columns();
 };
 
 void check(const Options& options) {
@@ -150,15 +148,17 @@ Command add_raster_command(CLI::App& program) {
       ->check(CLI::PositiveNumber);
   add_size_options(*app, options->scenes);
   app->add_option("--samples", options->frames.ray_count, "rays a receiver")->capture_default_str();
-  app->add_option("--studies", options->studies, "methods, culls, shapes, back_ends (default: all)")
+  app->add_option("--studies", options->studies, "some of them")
       ->delimiter(',')
-      ->check(CLI::IsMember(kStudies));
+      ->check(CLI::IsMember(list_words(kStudies)))
+      ->capture_default_str();
   add_rounds_option(*app, options->frames.round_count);
-  add_gl_option(*app, options->frames.device);
+  method::add_setting_option(*app, options->settings, method::device_setting());
   add_csv_option(*app, options->csv);
   return {app, [options] {
             check(*options);
             Studies(*options).run();
+            return 0;
           }};
 }
 

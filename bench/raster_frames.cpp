@@ -1,26 +1,25 @@
-#include "raster_frames.h"
+#include "bench/raster_frames.h"
 
-#include <CLI/CLI.hpp>
-
-#include "cli/median.h"
+#include "method/median.h"
+#include "method/speed.h"
 
 namespace lkao::bench {
 namespace {
 
 bool share_a_pass(const FrameSetup& a, const FrameSetup& b) {
-  return a.masks == b.masks && a.levels == b.levels && a.pass.geometry == b.pass.geometry &&
-         a.pass.accumulator == b.pass.accumulator && a.pass.precision == b.pass.precision;
+  return a.masks == b.masks && a.pass.geometry == b.pass.geometry && a.pass.accumulator == b.pass.accumulator &&
+         a.pass.precision == b.pass.precision;
+}
+
+FrameResult result_of(const method::Answers& answers, const method::Answers& exact) {
+  FrameResult result;
+  result.milliseconds = 1000 * answers.seconds;
+  result.mrays_per_second = method::mrays_per_second(answers.ray_count, answers.seconds);
+  result.off = deviation(answers, exact);
+  return result;
 }
 
 }  // namespace
-
-void add_gl_option(CLI::App& app, gl::Device& device) {
-  const std::map<std::string, gl::Device> devices = {
-      {"auto", gl::Device::automatic}, {"hardware", gl::Device::hardware}, {"software", gl::Device::software}};
-  app.add_option("--gl", device, "which OpenGL to use")
-      ->transform(CLI::CheckedTransformer(devices))
-      ->default_str("auto");
-}
 
 RasterFrames::RasterFrames(raster::Rasterizer& rasterizer, const StudyScene& scene, float radius,
                            const FrameOptions& options)
@@ -32,22 +31,18 @@ RasterFrames::RasterFrames(raster::Rasterizer& rasterizer, const StudyScene& sce
   rasterizer_.set_view(scene.camera, scene.view);
 }
 
-const Answers& RasterFrames::exact(Sidedness sidedness) {
+const method::Answers& RasterFrames::exact(Sidedness sidedness) {
   const auto [place, is_new] = exact_.try_emplace(sidedness);
   if (is_new) {
     const AmbientOcclusion ao(OccluderBvh(scene_.mesh.view()), pattern_, {.radius = radius_, .sidedness = sidedness});
-    place->second = ask({&ao, 1}, scene_.view.receivers, 1).front();
+    place->second = method::ask(ao, scene_.view.receivers, 1);
   }
   return place->second;
 }
 
 FrameResult RasterFrames::query() {
-  const Answers& answers = exact(Sidedness::two_sided);
-  FrameResult result;
-  result.milliseconds = 1000 * answers.seconds;
-  result.mrays_per_second = 1e-6 * static_cast<double>(answers.ray_count) / answers.seconds;
-  result.off = deviation(answers, answers);
-  return result;
+  const method::Answers& answers = exact(Sidedness::two_sided);
+  return result_of(answers, answers);
 }
 
 std::vector<FrameResult> RasterFrames::draw(const std::vector<FrameSetup>& setups, bool count) {
@@ -90,24 +85,16 @@ PlaneMaskTable RasterFrames::make_table(PlaneMasks masks) const {
 void RasterFrames::start_pass(const FrameSetup& setup, const PlaneMaskTable& table, bool count) {
   gl::MaskPassSetup pass = setup.pass;
   pass.count_fragments = count;
-  if (setup.levels != nullptr) {
-    rasterizer_.start_pass(pass, setup.levels->mesh, table, setup.levels->ranges);
-  } else {
-    rasterizer_.start_pass(pass, scene_.mesh, table);
-  }
-  // A driver leaves some of its work to the first frame: one that has next to nothing to draw.
-  RayOptions options = options_of(setup);
-  options.radius *= 1e-4f;
-  rasterizer_.draw(options, setup.raster);
+  rasterizer_.start_pass(pass, scene_.mesh, table);
+  rasterizer_.warm_up(options_of(setup), setup.raster);
 }
 
 FrameResult RasterFrames::compare(const FrameSetup& setup, const std::vector<double>& seconds) {
-  const Answers& answers = exact(setup.sidedness);
-  FrameResult result;
-  result.milliseconds = 1000 * cli::median(seconds);
-  result.mrays_per_second = 1e-3 * static_cast<double>(answers.ray_count) / result.milliseconds;
-  result.off = deviation(rasterizer_.read_occlusion(), rasterizer_.pass().read_masks(), answers);
-  return result;
+  method::Answers frame{.occlusion = rasterizer_.read_occlusion(),
+                        .masks = rasterizer_.pass().read_masks(),
+                        .ray_count = exact(setup.sidedness).ray_count,
+                        .seconds = method::median(seconds)};
+  return result_of(frame, exact(setup.sidedness));
 }
 
 }  // namespace lkao::bench

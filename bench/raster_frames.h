@@ -3,19 +3,13 @@
 
 #include <map>
 #include <string>
-#include <utility>
 #include <vector>
 
-#include "answers.h"
+#include "bench/study_scenes.h"
 #include "lkao/gl.h"
 #include "lkao/lkao.h"
-#include "lod/occluders.h"
+#include "method/answers.h"
 #include "raster/rasterizer.h"
-#include "study_scenes.h"
-
-namespace CLI {
-class App;
-}
 
 namespace lkao::bench {
 
@@ -23,7 +17,6 @@ namespace lkao::bench {
 struct FrameSetup {
   std::string name;
   PlaneMasks masks = PlaneMasks::nearest;
-  const lod::RangedMesh* levels = nullptr;  // in place of the scene's mesh
   gl::MaskPassSetup pass = {};
   Sidedness sidedness = Sidedness::two_sided;
   gl::RasterOptions raster = {};
@@ -32,7 +25,7 @@ struct FrameSetup {
 struct FrameResult {
   double milliseconds = 0;  // of draw and resolve, the median
   double mrays_per_second = 0;
-  Deviation off;              // from the query
+  method::Deviation off;      // from the query
   gl::FragmentCounts counts;  // zeros where they were not wanted
 };
 
@@ -41,19 +34,12 @@ struct FrameOptions {
   int nearest_resolution = 128;  // of the tables
   int exact_resolution = 64;
   int round_count = 3;
-  gl::Device device = gl::Device::automatic;
 };
-
-// --gl
-void add_gl_option(CLI::App& app, gl::Device& device);
 
 // One scene at one radius.
 class RasterFrames {
  public:
   RasterFrames(raster::Rasterizer& rasterizer, const StudyScene& scene, float radius, const FrameOptions& options);
-
-  // What frames are compared with, where it is known already; otherwise the query is asked once it is needed.
-  void set_exact(Sidedness sidedness, Answers answers) { exact_[sidedness] = std::move(answers); }
 
   // Draws with one pass after the other; frames of a pass that differ in their options only take turns, round after
   // round. With `count`, fragments are counted by a further pass that is not timed.
@@ -63,7 +49,8 @@ class RasterFrames {
   FrameResult query();
 
  private:
-  const Answers& exact(Sidedness sidedness);
+  // What frames are compared with: the query is asked once it is needed.
+  const method::Answers& exact(Sidedness sidedness);
   RayOptions options_of(const FrameSetup& setup) const;
   PlaneMaskTable make_table(PlaneMasks masks) const;
   void start_pass(const FrameSetup& setup, const PlaneMaskTable& table, bool count);
@@ -74,7 +61,7 @@ class RasterFrames {
   float radius_;
   FrameOptions options_;
   SamplePattern pattern_;
-  std::map<Sidedness, Answers> exact_;
+  std::map<Sidedness, method::Answers> exact_;
 };
 
 }  // namespace lkao::bench

@@ -4,7 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "raster_frames.h"
+#include "bench/measurement.h"
+#include "bench/raster_frames.h"
 
 namespace lkao::bench {
 
@@ -17,11 +18,10 @@ struct RasterStudy {
   std::vector<FrameResult> results;  // of each variant
 };
 
-std::string raster_csv_heading();
-std::string raster_csv_rows(const RasterStudy& study);
-
-std::string raster_table_heading();
-// Fragments and speed are relative to the last variant that counts any, as in the paper's Table 2.
-std::string raster_table_rows(const RasterStudy& study);
+// Of each variant. Relative fragments and speed are those of the last variant, as in the paper's Table 2, and unknown
+// where fragments were not counted.
+std::vector<Measurement> raster_measurements(const RasterStudy& study);
+Columns raster_csv_columns();
+Columns raster_table_columns();
 
 }  // namespace lkao::bench

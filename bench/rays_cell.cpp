@@ -1,4 +1,4 @@
-#include "rays_cell.h"
+#include "bench/rays_cell.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -15,11 +15,11 @@
 
 #include <glm/common.hpp>
 
-#include "cli/median.h"
-#include "embree_modes.h"
+#include "bench/embree_modes.h"
+#include "bench/work_clock.h"
 #include "lkao/isa.h"
 #include "lkao/neighbourhood.h"
-#include "work_clock.h"
+#include "method/median.h"
 
 namespace lkao::bench {
 namespace {
@@ -127,7 +127,7 @@ std::vector<MethodResult> results_of(const std::vector<Method>& methods, const M
   for (const Method& method : methods) {
     const auto mismatched_count = static_cast<double>(reference::count_mismatched_rays(method.masks, expected));
     results.push_back(
-        {method.name, method.seconds, ray_count / cli::median(method.seconds) * 1e-6, mismatched_count / ray_count});
+        {method.name, method.seconds, ray_count / method::median(method.seconds) * 1e-6, mismatched_count / ray_count});
   }
   return results;
 }
@@ -139,7 +139,7 @@ double speed_ratio(const MethodResult& a, const MethodResult& b) {
   for (std::size_t round = 0; round < std::min(a.seconds.size(), b.seconds.size()); ++round) {
     ratios.push_back(b.seconds[round] / a.seconds[round]);
   }
-  return cli::median(ratios);
+  return method::median(ratios);
 }
 
 const MethodResult* Cell::scalar() const {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "compared_isas.h"
+#include "bench/compared_isas.h"
 #include "lkao/ambient_occlusion.h"
 #include "reference/embree_reference.h"
 #include "reference/embree_scene.h"

@@ -11,17 +11,17 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
-#include "commands.h"
-#include "compared_isas.h"
-#include "csv_file.h"
+#include "bench/commands.h"
+#include "bench/compared_isas.h"
+#include "bench/csv_file.h"
+#include "bench/options.h"
+#include "bench/rays_cell.h"
+#include "bench/rays_csv.h"
+#include "bench/rays_radii.h"
+#include "bench/rays_report.h"
+#include "bench/study_scenes.h"
+#include "bench/tiles.h"
 #include "lkao/lkao.h"
-#include "options.h"
-#include "rays_cell.h"
-#include "rays_csv.h"
-#include "rays_radii.h"
-#include "rays_report.h"
-#include "study_scenes.h"
-#include "tiles.h"
 
 namespace lkao::bench {
 namespace {
@@ -42,10 +42,12 @@ class Comparison {
       : options_(options),
         names_(study_scene_names(options.scenes)),
         isas_(compared_isas(options.isas)),
-        csv_(options.csv, rays_csv_heading(options.measure)) {}
+        csv_(options.csv, rays_csv_columns(),
+             {fmt::format("time: CPU time for one thread, wall time for several; median of {} rounds",
+                          options.measure.round_count)}) {}
 
   void run() {
-    fmt::print("{}", rays_table_heading());
+    fmt::print("{}", table_heading(columns_));
     for (const std::string& name : names_) measure_scene(load_study_scene(name, options_.scenes));
     fmt::print("{}", rays_summary(cells_));
   }
@@ -75,8 +77,8 @@ class Comparison {
 
   void add(const std::vector<Cell>& cells) {
     for (const Cell& cell : cells) {
-      csv_.write(rays_csv_rows(cell));
-      fmt::print("{}", rays_table_row(cell));
+      for (const Measurement& measurement : rays_measurements(cell)) csv_.write(measurement);
+      fmt::print("{}", table_row(columns_, rays_table_measurement(cell)));
       cells_.push_back(cell);
     }
     std::fflush(stdout);
@@ -86,6 +88,7 @@ class Comparison {
   std::vector<std::string> names_;
   std::vector<ComparedIsa> isas_;
   CsvFile csv_;
+  const Columns columns_ = rays_table_columns();
   std::vector<Cell> cells_;
 };
 
@@ -141,6 +144,7 @@ Command add_rays_command(CLI::App& program) {
   return {app, [options] {
             check(*options);
             Comparison(*options).run();
+            return 0;
           }};
 }
 

@@ -1,4 +1,4 @@
-#include "rays_csv.h"
+#include "bench/rays_csv.h"
 
 #include <algorithm>
 #include <charconv>
@@ -11,14 +11,8 @@
 
 #include <fmt/format.h>
 
-#include "provenance.h"
-
 namespace lkao::bench {
 namespace {
-
-constexpr const char* kColumns =
-    "scene,radius,samples,isa,method,mrays_per_second,best_embree_mode,best_embree_mrays,occluded1_mrays,ratio_best,"
-    "ratio_occluded1,ray_mismatch_rate,group,threads";
 
 std::vector<std::string> split(const std::string& line) {
   std::vector<std::string> fields;
@@ -64,22 +58,44 @@ class Reader {
 
 }  // namespace
 
-std::string rays_csv_heading(const MeasureOptions& options) {
-  return fmt::format("{}# time: CPU time for one thread, wall time for several; median of {} rounds\n{}\n",
-                     provenance_comment(), options.round_count, kColumns);
+Columns rays_csv_columns() {
+  return {{"scene"},
+          {"radius", "{:g}"},
+          {"samples"},
+          {"isa"},
+          {"method"},
+          {"mrays_per_second", "{:.6g}"},
+          {"best_embree_mode"},
+          {"best_embree_mrays", "{:.6g}"},
+          {"occluded1_mrays", "{:.6g}"},
+          {"ratio_best", "{:.5g}"},
+          {"ratio_occluded1", "{:.5g}"},
+          {"ray_mismatch_rate", "{:.4g}"},
+          {"group"},
+          {"threads"}};
 }
 
-std::string rays_csv_rows(const Cell& cell) {
+std::vector<Measurement> rays_measurements(const Cell& cell) {
   const MethodResult& best = cell.best_embree();
   const MethodResult& occluded1 = cell.occluded1();
-  std::string rows;
+  std::vector<Measurement> measurements;
   for (const MethodResult& result : cell.results) {
-    rows += fmt::format("{},{:g},{},{},{},{:.6g},{},{:.6g},{:.6g},{:.5g},{:.5g},{:.4g},{},{}\n", cell.scene,
-                        cell.radius, cell.ray_count, cell.isa.name, result.method, result.mrays_per_second, best.method,
-                        best.mrays_per_second, occluded1.mrays_per_second, speed_ratio(result, best),
-                        speed_ratio(result, occluded1), result.mismatch_rate, cell.group, cell.thread_count);
+    measurements.push_back({{"scene", cell.scene},
+                            {"radius", cell.radius},
+                            {"samples", cell.ray_count},
+                            {"isa", cell.isa.name},
+                            {"method", result.method},
+                            {"mrays_per_second", result.mrays_per_second},
+                            {"best_embree_mode", best.method},
+                            {"best_embree_mrays", best.mrays_per_second},
+                            {"occluded1_mrays", occluded1.mrays_per_second},
+                            {"ratio_best", speed_ratio(result, best)},
+                            {"ratio_occluded1", speed_ratio(result, occluded1)},
+                            {"ray_mismatch_rate", result.mismatch_rate},
+                            {"group", cell.group},
+                            {"threads", cell.thread_count}});
   }
-  return rows;
+  return measurements;
 }
 
 RaysCsv read_rays_csv(const std::string& path) {

@@ -4,15 +4,15 @@
 #include <string>
 #include <vector>
 
-#include "rays_cell.h"
+#include "bench/measurement.h"
+#include "bench/rays_cell.h"
 
 namespace lkao::bench {
 
-// Begins with lines of '#': where the figures come from.
-std::string rays_csv_heading(const MeasureOptions& options);
-// A row for every method. The columns of Embree's best mode and of rtcOccluded1 are the cell's own in each of them;
-// ratios are those of speed_ratio.
-std::string rays_csv_rows(const Cell& cell);
+Columns rays_csv_columns();
+// A measurement for every method. The columns of Embree's best mode and of rtcOccluded1 are the cell's own in each of
+// them; ratios are those of speed_ratio.
+std::vector<Measurement> rays_measurements(const Cell& cell);
 
 // What is read of a row.
 struct RaysCsvRow {

@@ -1,4 +1,4 @@
-#include "rays_radii.h"
+#include "bench/rays_radii.h"
 
 #include <algorithm>
 #include <limits>

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "study_scenes.h"
+#include "bench/study_scenes.h"
 
 namespace lkao::bench {
 

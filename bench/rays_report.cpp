@@ -1,4 +1,4 @@
-#include "rays_report.h"
+#include "bench/rays_report.h"
 
 #include <algorithm>
 #include <functional>
@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "geometric_mean.h"
+#include "bench/geometric_mean.h"
 
 namespace lkao::bench {
 namespace {
@@ -42,16 +42,37 @@ std::string named_ratio(const Cell& cell) {
   return fmt::format("{:.2f} ({}, radius {:g}, {} rays)", ratio_best(cell), cell.scene, cell.radius, cell.ray_count);
 }
 
+const Columns kSummaryColumns = {{"isa", "{}", 8},
+                                 {"threads", "{}", 3, "thr"},
+                                 {"cells", "{}", 5},
+                                 kBar,
+                                 {"x best", "{:.2f}", 6},
+                                 {"x single", "{:.2f}", 8},
+                                 {"x around", "{:.2f}", 8},
+                                 {"x Occluded1", "{:.2f}", 11},
+                                 kBar,
+                                 {"mismatch", "{:.2g}", 8},
+                                 kBar,
+                                 {"worst cell", "{}", -44},
+                                 kBar,
+                                 {"best cell"}};
+
 // Cells of one instruction set and number of threads.
 std::string summary_row(const Cells& cells) {
   const Cell& some = cells.front();
   const double most_wrong = mismatch_rate(*std::max_element(
       cells.begin(), cells.end(), [](const Cell& a, const Cell& b) { return mismatch_rate(a) < mismatch_rate(b); }));
-  return fmt::format("{:>8} {:3} {:5} | {:6.2f} {:8.2f} {:8.2f} {:11.2f} | {:8.2g} | {:44} | {}\n", some.isa.name,
-                     some.thread_count, cells.size(), mean(cells, ratio_best), mean(cells, ratio_single),
-                     mean(cells, ratio_around), mean(cells, ratio_occluded1), most_wrong,
-                     named_ratio(*std::min_element(cells.begin(), cells.end(), is_slower)),
-                     named_ratio(*std::max_element(cells.begin(), cells.end(), is_slower)));
+  return table_row(kSummaryColumns,
+                   {{"isa", some.isa.name},
+                    {"threads", some.thread_count},
+                    {"cells", cells.size()},
+                    {"x best", mean(cells, ratio_best)},
+                    {"x single", mean(cells, ratio_single)},
+                    {"x around", mean(cells, ratio_around)},
+                    {"x Occluded1", mean(cells, ratio_occluded1)},
+                    {"mismatch", most_wrong},
+                    {"worst cell", named_ratio(*std::min_element(cells.begin(), cells.end(), is_slower))},
+                    {"best cell", named_ratio(*std::max_element(cells.begin(), cells.end(), is_slower))}});
 }
 
 std::vector<std::string> isas_of(const Cells& cells) {  // in the order of the cells
@@ -74,9 +95,7 @@ Cells cells_of(const Cells& cells, const std::string& isa, int thread_count) {
 
 std::string group_summary(const std::string& name, const Cells& cells) {
   if (cells.empty()) return {};
-  std::string text = fmt::format(
-      "\nGeometric mean of {} cells:\n{:>8} {:>3} {:>5} | {:>6} {:>8} {:>8} {:>11} | {:>8} | {:44} | {}\n", name, "isa",
-      "thr", "cells", "x best", "x single", "x around", "x Occluded1", "mismatch", "worst cell", "best cell");
+  std::string text = fmt::format("\nGeometric mean of {} cells:\n{}", name, table_heading(kSummaryColumns));
   for (const std::string& isa : isas_of(cells)) {
     for (const int count : thread_counts_of(cells)) text += summary_row(cells_of(cells, isa, count));
   }
@@ -112,21 +131,44 @@ std::string thread_summary(const Cells& cells) {
 
 }  // namespace
 
-std::string rays_table_heading() {
-  return fmt::format("{:16} {:>8} {:>5} {:>8} {:>3} | {:>8} {:>8} {:>8} | {:28} {:>8} | {:>6} {:>8} {:>11} | {:>8}\n",
-                     "scene", "radius", "rays", "isa", "thr", "lkao", "single", "scalar", "best of Embree", "Mrays/s",
-                     "x best", "x single", "x Occluded1", "mismatch");
+Columns rays_table_columns() {
+  return {{"scene", "{}", -16},
+          {"radius", "{:g}", 8},
+          {"samples", "{}", 5, "rays"},
+          {"isa", "{}", 8},
+          {"threads", "{}", 3, "thr"},
+          kBar,
+          {"simd", "{:.2f}", 8, "lkao"},
+          {"single", "{:.2f}", 8},
+          {"scalar", "{:.2f}", 8},
+          kBar,
+          {"best_embree_mode", "{}", -28, "best of Embree"},
+          {"best_embree_mrays", "{:.2f}", 8, "Mrays/s"},
+          kBar,
+          {"ratio_best", "{:.2f}", 6, "x best"},
+          {"ratio_single", "{:.2f}", 8, "x single"},
+          {"ratio_occluded1", "{:.2f}", 11, "x Occluded1"},
+          kBar,
+          {"ray_mismatch_rate", "{:.2g}", 8, "mismatch"}};
 }
 
-std::string rays_table_row(const Cell& cell) {
+Measurement rays_table_measurement(const Cell& cell) {
   const MethodResult& best = cell.best_embree();
   const MethodResult* scalar = cell.scalar();
-  return fmt::format(
-      "{:16} {:>8g} {:5} {:>8} {:3} | {:8.2f} {:8.2f} {:>8} | {:28} {:8.2f} | {:6.2f} {:8.2f} {:11.2f} | {:8.2g}\n",
-      cell.scene, cell.radius, cell.ray_count, cell.isa.name, cell.thread_count, cell.simd().mrays_per_second,
-      cell.single().mrays_per_second, scalar != nullptr ? fmt::format("{:.2f}", scalar->mrays_per_second) : "",
-      best.method, best.mrays_per_second, ratio_best(cell), ratio_single(cell), ratio_occluded1(cell),
-      mismatch_rate(cell));
+  return {{"scene", cell.scene},
+          {"radius", cell.radius},
+          {"samples", cell.ray_count},
+          {"isa", cell.isa.name},
+          {"threads", cell.thread_count},
+          {"simd", cell.simd().mrays_per_second},
+          {"single", cell.single().mrays_per_second},
+          {"scalar", scalar != nullptr ? Value(scalar->mrays_per_second) : Value()},
+          {"best_embree_mode", best.method},
+          {"best_embree_mrays", best.mrays_per_second},
+          {"ratio_best", ratio_best(cell)},
+          {"ratio_single", ratio_single(cell)},
+          {"ratio_occluded1", ratio_occluded1(cell)},
+          {"ray_mismatch_rate", mismatch_rate(cell)}};
 }
 
 std::string rays_summary(const std::vector<Cell>& cells) {

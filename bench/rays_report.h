@@ -4,12 +4,14 @@
 #include <string>
 #include <vector>
 
-#include "rays_cell.h"
+#include "bench/measurement.h"
+#include "bench/rays_cell.h"
 
 namespace lkao::bench {
 
-std::string rays_table_heading();
-std::string rays_table_row(const Cell& cell);
+// A row for every cell.
+Columns rays_table_columns();
+Measurement rays_table_measurement(const Cell& cell);
 
 // Of bounded cells, of unbounded ones and of all, a line for each instruction set and number of threads: the geometric
 // mean of the ratios, the worst and the best cell, the largest mismatch rate. Then how much faster more threads are.

@@ -1,4 +1,4 @@
-#include "spread.h"
+#include "bench/spread.h"
 
 #include <algorithm>
 #include <compare>
@@ -12,8 +12,8 @@
 
 #include <fmt/format.h>
 
-#include "cli/median.h"
-#include "geometric_mean.h"
+#include "bench/geometric_mean.h"
+#include "method/median.h"
 
 namespace lkao::bench {
 namespace {
@@ -111,7 +111,7 @@ std::string text_of(const Line& line, const Ratios& ratios) {
     text += fmt::format(" {:6.3f}", means.back());
   }
   const auto [least, most] = std::minmax_element(means.begin(), means.end());
-  const double median = cli::median(means);
+  const double median = method::median(means);
   return text + fmt::format(" | {:6.3f} {:6.3f} {:6.3f} {:5.1f}% | {:.2f} ({})\n", *least, median, *most,
                             100 * (*most - *least) / median, ratios.worst, ratios.worst_place);
 }

@@ -4,7 +4,7 @@
 #include <span>
 #include <string>
 
-#include "rays_csv.h"
+#include "bench/rays_csv.h"
 
 namespace lkao::bench {
 

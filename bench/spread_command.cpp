@@ -6,10 +6,10 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
-#include "commands.h"
-#include "rays_cell.h"
-#include "rays_csv.h"
-#include "spread.h"
+#include "bench/commands.h"
+#include "bench/rays_cell.h"
+#include "bench/rays_csv.h"
+#include "bench/spread.h"
 
 namespace lkao::bench {
 
@@ -26,6 +26,7 @@ Command add_spread_command(CLI::App& program) {
             std::vector<RaysCsv> runs;
             for (const std::string& file : options->files) runs.push_back(read_rays_csv(file));
             fmt::print("{}", spread_of_runs(runs, options->method));
+            return 0;
           }};
 }
 

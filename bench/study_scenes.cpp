@@ -1,4 +1,4 @@
-#include "study_scenes.h"
+#include "bench/study_scenes.h"
 
 #include <algorithm>
 #include <filesystem>

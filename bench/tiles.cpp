@@ -1,4 +1,4 @@
-#include "tiles.h"
+#include "bench/tiles.h"
 
 #include <algorithm>
 #include <cstddef>

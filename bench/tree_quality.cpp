@@ -1,4 +1,4 @@
-#include "tree_quality.h"
+#include "bench/tree_quality.h"
 
 #include <cstdint>
 #include <ctime>

@@ -3,7 +3,7 @@
 
 #include <benchmark/benchmark.h>
 
-#include "parts/scenes.h"
+#include "bench/parts/scenes.h"
 
 namespace lkao::bench {
 namespace {

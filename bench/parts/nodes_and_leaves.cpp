@@ -5,10 +5,10 @@
 
 #include <benchmark/benchmark.h>
 
+#include "bench/parts/scenes.h"
 #include "bvh/ray_box.h"
 #include "bvh/ray_triangle.h"
 #include "lkao/isa.h"
-#include "parts/scenes.h"
 
 #ifndef LKAO_BENCH_PART
 #define LKAO_BENCH_PART
@@ -21,7 +21,7 @@ struct Part {
 #endif
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "parts/nodes_and_leaves.cpp"
+#define HWY_TARGET_INCLUDE "bench/parts/nodes_and_leaves.cpp"
 #include <hwy/foreach_target.h>
 
 #include <hwy/highway.h>

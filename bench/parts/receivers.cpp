@@ -6,9 +6,9 @@
 #include <tbb/info.h>
 #include <tbb/task_arena.h>
 
-#include "cli/stopwatch.h"
+#include "bench/parts/scenes.h"
 #include "lkao/isa.h"
-#include "parts/scenes.h"
+#include "method/stopwatch.h"
 
 namespace lkao::bench {
 namespace {
@@ -48,7 +48,7 @@ double seconds_of_batch(const AmbientOcclusion& ao, const std::vector<Receiver>&
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(thread_count));
   std::vector<float> occlusion(receivers.size());
   return tbb::task_arena(thread_count).execute([&] {
-    const cli::Stopwatch time;
+    const method::Stopwatch time;
     ao.query(receivers, {.occlusion = occlusion});
     return time.seconds();
   });

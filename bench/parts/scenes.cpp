@@ -1,4 +1,4 @@
-#include "parts/scenes.h"
+#include "bench/parts/scenes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,10 +9,10 @@
 
 #include <glm/vec2.hpp>
 
+#include "bench/tiles.h"
 #include "bvh/ray_box.h"
 #include "scene/camera.h"
 #include "scene/shapes.h"
-#include "tiles.h"
 
 namespace lkao::bench {
 namespace {

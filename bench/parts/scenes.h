@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
+#include "bench/study_scenes.h"
 #include "bvh/layout.h"
 #include "bvh/query.h"
 #include "lkao/lkao.h"
 #include "reference/embree_reference.h"
-#include "study_scenes.h"
 
 namespace lkao::bench {
 

@@ -24,8 +24,8 @@ class LodCommand : public ProgramTest {
     arguments.insert(arguments.end(), more.begin(), more.end());
     expect_success(arguments);
     std::istringstream file(read_file("lod.csv"));
-    std::string line;
-    std::getline(file, line);
+    std::string line = "#";
+    while (line.starts_with('#')) std::getline(file, line);  // what it was measured on
     EXPECT_EQ(line,
               "scene,radius,method,k,epsilon,triangles,milliseconds,speedup,ray_mismatch_rate,mae,rmse,"
               "equal_8bit_share,mean_change");
@@ -43,7 +43,7 @@ class LodCommand : public ProgramTest {
 
 // The first row is the scene itself; then the finer epsilon with each k, then the automatic one.
 TEST_F(LodCommand, ComparesEveryVariantWithTheScene) {
-  const std::vector<Row> rows = measure({"--without-raster", "--k", "2,1000000"});
+  const std::vector<Row> rows = measure({"--methods", "bvh", "--k", "2,1000000"});
   ASSERT_EQ(rows.size(), 5u);
   EXPECT_EQ(rows[0].k, 0);
   for (std::size_t i = 1; i < 5; ++i) {

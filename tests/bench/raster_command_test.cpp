@@ -36,8 +36,10 @@ class RasterCommand : public ProgramTest {
     }
     EXPECT_EQ(result.exit_code, 0) << result.err;
     std::istringstream file(read_file("raster.csv"));
-    std::string line;
+    std::string line = "#";
     std::getline(file, line);
+    EXPECT_TRUE(line.starts_with("# processor: ")) << line;
+    while (line.starts_with('#')) std::getline(file, line);
     EXPECT_EQ(line,
               "scene,radius,study,variant,milliseconds,mrays_per_second,ray_mismatch_rate,mae,rmse,max_error,"
               "equal_8bit_share,drawn_fragments,surviving_fragments,masks");
