@@ -44,17 +44,23 @@ function(lkao_module NAME)
   target_link_libraries(lkao_${NAME} PUBLIC ${module_LINKS})
 endfunction()
 
-# lkao_test(NAME SOURCES a.cpp ... LINKS x ... [LABELS slow|tsan ...])
-#   A GoogleTest program lkao_test_NAME, each of its tests known to CTest. Tests with the label "slow" are left out under
-#   AddressSanitizer; those with "tsan" are what ThreadSanitizer runs (target lkao_tsan_tests; see tests/tsan).
+# lkao_test(NAME SOURCES a.cpp ... LINKS x ... [LABELS slow|tsan ...] [READS path ...])
+#   A GoogleTest program lkao_test_NAME, each of its tests known to CTest. Tests with the label "slow" are left out
+#   under AddressSanitizer; those with "tsan" are what ThreadSanitizer runs (target lkao_tsan_tests; see tests/tsan).
+#   READS: the programs that the tests start, the files and folders that they read: `./run test` repeats tests that
+#   passed when one of these changes.
 function(lkao_test NAME)
-  cmake_parse_arguments(PARSE_ARGV 1 test "" "" "SOURCES;LINKS;LABELS")
+  cmake_parse_arguments(PARSE_ARGV 1 test "" "" "SOURCES;LINKS;LABELS;READS")
   add_executable(lkao_test_${NAME} ${test_SOURCES})
   target_include_directories(lkao_test_${NAME} PRIVATE ${lkao_include_roots} "${PROJECT_SOURCE_DIR}/tests")
   target_compile_definitions(lkao_test_${NAME} PRIVATE "LKAO_SHARED_DIR=\"${LKAO_SHARED_DIR}\"")
   target_link_libraries(lkao_test_${NAME} PRIVATE ${test_LINKS} GTest::gmock GTest::gtest GTest::gtest_main)
   # Half of the time to compile a test goes into making its few instructions fast.
   target_compile_options(lkao_test_${NAME} PRIVATE -O1)
+  if(test_READS)
+    list(JOIN test_READS "\n" reads)
+    file(GENERATE OUTPUT "$<TARGET_FILE:lkao_test_${NAME}>.reads" CONTENT "${reads}")
+  endif()
 
   set(properties TIMEOUT 900)
   if(test_LABELS)
