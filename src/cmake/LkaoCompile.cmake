@@ -26,8 +26,16 @@ add_compile_options(-ffp-contract=off -Wall -Wextra -Wpedantic -Wshadow -Wconver
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
   add_compile_options(-Wno-restrict)
 endif()
-# Highway's targets for x86 are AVX-512, AVX2 and SSE4; a fourth copy of every kernel for the Core 2 of 2006 is left out.
-add_compile_definitions(HWY_DISABLED_TARGETS=HWY_SSSE3)
+# Highway's targets for x86 are AVX-512, AVX2 and SSE4; a fourth copy of every kernel for the Core 2 of 2006 is left
+# out. Under sanitizers a copy takes half a minute to compile: there AVX-512 stays for the widest loads and stores, AVX2
+# for its own way to pack lanes (bvh/simd/lanes-inl.h); SSE4 has no line of its own. Races are the same with any.
+if(LKAO_SANITIZE STREQUAL "thread")
+  add_compile_definitions("HWY_DISABLED_TARGETS=(HWY_SSSE3|HWY_SSE4|HWY_AVX3)")
+elseif(LKAO_SANITIZE AND NOT LKAO_SANITIZE MATCHES "fuzzer")
+  add_compile_definitions("HWY_DISABLED_TARGETS=(HWY_SSSE3|HWY_SSE4)")
+else()
+  add_compile_definitions(HWY_DISABLED_TARGETS=HWY_SSSE3)
+endif()
 if(LKAO_WERROR)
   add_compile_options(-Werror)
 endif()

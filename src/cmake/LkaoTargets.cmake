@@ -35,6 +35,17 @@ function(lkao_core_part NAME)
   target_link_libraries(lkao PRIVATE ${part_LINKS})
 endfunction()
 
+# lkao_compile_together(TARGET [ALONE a.cpp ...])
+#   With LKAO_UNITY_BUILD, eight sources at a time are compiled as one: most of the time goes into what they include.
+#   ALONE: those with a name in their unnamed namespace that another has too.
+function(lkao_compile_together TARGET)
+  cmake_parse_arguments(PARSE_ARGV 1 together "" "" "ALONE")
+  if(LKAO_UNITY_BUILD)
+    set_target_properties(${TARGET} PROPERTIES UNITY_BUILD ON)
+    set_source_files_properties(${together_ALONE} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+  endif()
+endfunction()
+
 # lkao_module(NAME SOURCES a.cpp ... LINKS x ...)
 #   A static library lkao_NAME beside the core, for the program and the tests; not installed. LINKS are public.
 function(lkao_module NAME)
@@ -42,6 +53,20 @@ function(lkao_module NAME)
   add_library(lkao_${NAME} STATIC ${module_SOURCES})
   target_include_directories(lkao_${NAME} PUBLIC ${lkao_include_roots})
   target_link_libraries(lkao_${NAME} PUBLIC ${module_LINKS})
+endfunction()
+
+# lkao_compile_only(TARGET ...)
+#   For what a build with sanitizers does not run: the sources are compiled, for the compiler's warnings alone and so
+#   without sanitizers; the programs are not linked.
+function(lkao_compile_only)
+  foreach(target IN LISTS ARGN)
+    get_target_property(type ${target} TYPE)
+    if(type STREQUAL "EXECUTABLE")
+      set_target_properties(${target} PROPERTIES EXCLUDE_FROM_ALL ON)
+      target_compile_options(${target} PRIVATE -O0 -g0 -fno-sanitize=all)
+      add_custom_target(${target}_compiles ALL DEPENDS $<TARGET_OBJECTS:${target}>)
+    endif()
+  endforeach()
 endfunction()
 
 # lkao_test(NAME SOURCES a.cpp ... LINKS x ... [LABELS slow|tsan ...] [READS path ...])
@@ -57,6 +82,10 @@ function(lkao_test NAME)
   target_link_libraries(lkao_test_${NAME} PRIVATE ${test_LINKS} GTest::gmock GTest::gtest GTest::gtest_main)
   # Half of the time to compile a test goes into making its few instructions fast.
   target_compile_options(lkao_test_${NAME} PRIVATE -O1)
+  if(LKAO_SANITIZE AND "slow" IN_LIST test_LABELS)
+    lkao_compile_only(lkao_test_${NAME})
+    return()
+  endif()
   if(test_READS)
     list(JOIN test_READS "\n" reads)
     file(GENERATE OUTPUT "$<TARGET_FILE:lkao_test_${NAME}>.reads" CONTENT "${reads}")
