@@ -1,7 +1,8 @@
 # cmake -DROOT=<folder of the project> -DEXPANDED=<folder> -DOUTPUT=<file.cpp> -P embed_shaders.cmake
 #
-# Puts the included files into each shader of gpu/ (each once), writes those of a stage, such as gpu/mesh/prism.vert.glsl,
-# to EXPANDED for the validator, and all of them as strings to OUTPUT, so that a program needs no files at run time.
+# Puts the included files into each shader of gpu/ (each once), writes those of a stage, such as
+# gpu/mesh/prism.vert.glsl, to EXPANDED for the validator, and all of them as strings to OUTPUT, so that a program needs
+# no files at run time.
 
 cmake_minimum_required(VERSION 3.25)
 

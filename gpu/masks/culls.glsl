@@ -1,11 +1,12 @@
-// Cheap tests for fragments that get no occlusion, each with a margin above rounding: they change how long a frame takes,
-// never a mask.
+// Cheap tests for fragments that get no occlusion, each with a margin above rounding: they change how long a frame
+// takes, never a mask.
 //
 // Based on: S. Laine, T. Karras, "Two Methods for Fast Ray-Cast Ambient Occlusion", EGSR 2010, Sec. 4.2.
 //
-// Differs from the paper: the first test there compares the fragment's own depth, "greater than depth of receiver point plus
-// ambient occlusion radius". The far side of a large triangle's prism may be any distance behind a receiver that is inside;
-// what cannot be farther than the radius is the nearest point of the triangle, which is what is compared here.
+// Differs from the paper: the first test there compares the fragment's own depth, "greater than depth of receiver point
+// plus ambient occlusion radius". The far side of a large triangle's prism may be any distance behind a receiver that
+// is inside; what cannot be farther than the radius is the nearest point of the triangle, which is what is compared
+// here.
 #include "gpu/masks/mask_pass_block.h"
 #include "gpu/mesh/shapes.glsl"
 
@@ -39,8 +40,8 @@ float square_distance_to_edge(vec3 from, vec3 along) {
   return dot(nearest, nearest);
 }
 
-// The influence region itself: points within r_max of the triangle, not all of which is within r_min. The shapes only bound
-// it; masks of nearest cells depend on where it ends, and this makes it end in one place for all of them.
+// The influence region itself: points within r_max of the triangle, not all of which is within r_min. The shapes only
+// bound it; masks of nearest cells depend on where it ends, and this makes it end in one place for all of them.
 bool is_in_reach(vec3 origin) {
   vec3 a = shape.a - origin, b = shape.b - origin, c = shape.c - origin;
   vec3 ab = shape.b - shape.a, bc = shape.c - shape.b, ca = shape.a - shape.c;

@@ -1,5 +1,5 @@
-// The frame of a receiver: query::jittered_frame of the CPU, in double precision as there, so that nearly all frames are the
-// same to the last bit of float.
+// The frame of a receiver: query::jittered_frame of the CPU, in double precision as there, so that nearly all frames
+// are the same to the last bit of float.
 //
 // Based on: S. Laine, T. Karras, "Two Methods for Fast Ray-Cast Ambient Occlusion", EGSR 2010, Sec. 3.
 #include "gpu/masks/mask_pass_block.h"

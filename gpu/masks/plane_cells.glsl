@@ -1,5 +1,5 @@
-// From planes to cells of the plane mask table: lut/plane_cells.h once more, operation by operation, so that a plane has the
-// same cell here and there. `normal` is of unit length, `distance` in units of the AO radius. Either
+// From planes to cells of the plane mask table: lut/plane_cells.h once more, operation by operation, so that a plane
+// has the same cell here and there. `normal` is of unit length, `distance` in units of the AO radius. Either
 // LKAO_CUBE_ADDRESSING is 1, or the cells are maps for slices of distance.
 #include "gpu/masks/mask_pass_block.h"
 

@@ -38,7 +38,8 @@ dvec3 precise_cross(dvec3 a, dvec3 b) {
                precise_difference(a.x, b.y, a.y, b.x));
 }
 
-void set_edge(inout Planes planes, int i, vec3 corner_from, vec3 corner_to, vec3 origin, double facing, double ray_norm) {
+void set_edge(inout Planes planes, int i, vec3 corner_from, vec3 corner_to, vec3 origin, double facing,
+              double ray_norm) {
   precise dvec3 from = dvec3(corner_from) - dvec3(origin), to = dvec3(corner_to) - dvec3(origin);
   precise dvec3 sum = from + to, along = to - from;
   dvec3 edge = facing * precise_cross(sum, along);
@@ -76,12 +77,12 @@ bool make_planes(vec3 corner_a, vec3 corner_b, vec3 corner_c, vec3 unit_normal, 
 
 #else
 
-// A power of two that brings the AO radius to [1, 2): edges have the unit of a square, and their lengths that of its square,
-// for which float has no room in very large and very small units. No bit changes otherwise.
+// A power of two that brings the AO radius to [1, 2): edges have the unit of a square, and their lengths that of its
+// square, for which float has no room in very large and very small units. No bit changes otherwise.
 float unit_scale() { return uintBitsToFloat(0x7f000000u - (floatBitsToUint(ao_radius()) & 0x7f800000u)); }
 
-// The edge itself is taken from the corners as they are: far from the receiver, differences of differences would be noise.
-// A neighbour that has the edge the other way round gets the same plane, negated.
+// The edge itself is taken from the corners as they are: far from the receiver, differences of differences would be
+// noise. A neighbour that has the edge the other way round gets the same plane, negated.
 void set_edge(inout Planes planes, int i, vec3 corner_from, vec3 corner_to, vec3 origin, float facing, float ray_norm) {
   float scale = unit_scale();
   precise vec3 from = (corner_from - origin) * scale, to = (corner_to - origin) * scale;

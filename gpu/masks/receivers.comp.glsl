@@ -1,6 +1,6 @@
 #version 450 core
-// From the G-buffer to receivers: where the rays of each pixel start, and where the pattern's axes go. As the CPU query does
-// it (query::make_rays), in the same precision.
+// From the G-buffer to receivers: where the rays of each pixel start, and where the pattern's axes go. As the CPU query
+// does it (query::make_rays), in the same precision.
 #define LKAO_DOUBLE 1
 #include "gpu/frame/g_buffer.glsl"
 #include "gpu/masks/jittered_frame.glsl"

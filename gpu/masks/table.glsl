@@ -1,6 +1,6 @@
-// Looking planes up in the plane mask table: bvh/table_lookup.h of the CPU. LKAO_LAYERS is the number of 128-bit parts of a
-// mask. Of each cell there is either the mask of the plane in its middle, or (LKAO_MUST_MAY) first the rays beyond all of its
-// planes, then those beyond some.
+// Looking planes up in the plane mask table: bvh/table_lookup.h of the CPU. LKAO_LAYERS is the number of 128-bit parts
+// of a mask. Of each cell there is either the mask of the plane in its middle, or (LKAO_MUST_MAY) first the rays beyond
+// all of its planes, then those beyond some.
 #include "gpu/masks/units.h"
 
 layout(binding = LKAO_UNIT_TABLE) uniform usamplerBuffer table;

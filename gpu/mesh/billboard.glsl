@@ -8,8 +8,8 @@ const int kPolygonStrip[12] = int[12](0, 1, 11, 2, 10, 3, 9, 4, 8, 5, 7, 6);
 const float kCircumscribe = 1.0352762;  // 1 / cos(pi / 12)
 const float kTwelfth = 0.52359878;      // of a turn
 
-// The axes and sizes of the figure, relative to the sphere's centre. The camera looks along `view`; `across` is square to
-// both it and the normal, so the separating line runs along it.
+// The axes and sizes of the figure, relative to the sphere's centre. The camera looks along `view`; `across` is square
+// to both it and the normal, so the separating line runs along it.
 struct Hemisphere {
   float radius;        // of the enlarged sphere
   vec3 view, across;
@@ -37,13 +37,15 @@ Hemisphere make_hemisphere(Occluder o) {
   vec3 across = cross(h.view, o.normal);
   h.view_normal_sine = max(length(across), 1e-6);
   // Where the view runs along the normal there is no separating line: any direction will do.
-  h.across = dot(across, across) > 1e-12 ? across / length(across)
-                                         : normalize(cross(h.view, abs(h.view.x) < 0.5 ? vec3(1, 0, 0) : vec3(0, 1, 0)));
+  h.across = dot(across, across) > 1e-12
+                 ? across / length(across)
+                 : normalize(cross(h.view, abs(h.view.x) < 0.5 ? vec3(1, 0, 0) : vec3(0, 1, 0)));
   return h;
 }
 
-// The end of the separating line on the side of `side`: where both circles meet. One point for both polygons, bit for bit,
-// or pixels would be lost between them. Where the circles do not meet, a point that makes nothing of what is cut off.
+// The end of the separating line on the side of `side`: where both circles meet. One point for both polygons, bit for
+// bit, or pixels would be lost between them. Where the circles do not meet, a point that makes nothing of what is cut
+// off.
 vec3 line_end(Hemisphere h, float side) {
   float square = h.radius * h.radius - h.outline_back * h.outline_back, radius = sqrt(square);
   float line = clamp((h.base + h.outline_back * h.view_normal) / h.view_normal_sine, -radius, radius);
@@ -71,7 +73,8 @@ vec3 base_vertex(Hemisphere h, vec3 normal, vec2 direction) {
 // Vertex 0 to 11 of polygon 0 or 1. Two-sided triangles have only the first, a whole circle.
 vec4 billboard_vertex(Occluder o, int polygon, int vertex) {
   Hemisphere h = make_hemisphere(o);
-  // Corners come in pairs, one on each side of the figure's axis, so that where any is cut off, both ends of the line stay.
+  // Corners come in pairs, one on each side of the figure's axis, so that where any is cut off, both ends of the line
+  // stay.
   float turn = kTwelfth * (float(vertex) + 0.5);
   vec2 direction = vec2(cos(turn), sin(turn));
   // "We correct their depth so that the billboard appears to be located just behind the sphere of influence."

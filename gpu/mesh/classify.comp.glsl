@@ -1,6 +1,6 @@
 #version 450 core
-// For each triangle: can it block anything, its normal and bounding sphere, and which shape bounds its influence. Fills the
-// lists of triangles and the draw commands, so that a mesh that moves costs nothing on the CPU.
+// For each triangle: can it block anything, its normal and bounding sphere, and which shape bounds its influence. Fills
+// the lists of triangles and the draw commands, so that a mesh that moves costs nothing on the CPU.
 //
 // Based on: S. Laine, T. Karras, "Two Methods for Fast Ray-Cast Ambient Occlusion", EGSR 2010, Sec. 4.1.
 #include "gpu/frame/limits.h"
@@ -51,7 +51,8 @@ void main() {
        c = texelFetch(positions, int(corners.z)).xyz;
   // Written so that a NaN fails.
   vec3 largest = vec3(largest_component(a), largest_component(b), largest_component(c));
-  if (!(all(lessThanEqual(abs(a), vec3(LKAO_LARGEST_COORDINATE))) && all(lessThanEqual(abs(b), vec3(LKAO_LARGEST_COORDINATE))) &&
+  if (!(all(lessThanEqual(abs(a), vec3(LKAO_LARGEST_COORDINATE))) &&
+        all(lessThanEqual(abs(b), vec3(LKAO_LARGEST_COORDINATE))) &&
         all(lessThanEqual(abs(c), vec3(LKAO_LARGEST_COORDINATE))))) {
     return;
   }

@@ -3,7 +3,7 @@
 #include "gpu/mesh/units.h"
 
 layout(std430, binding = LKAO_STORAGE_EXTENT) buffer Extent {
-  uint sides[12];        // as `ordered`, of the occluders' bounds: x, y, z at most, -x, -y, -z at most; then of the origins'
+  uint sides[12];  // as `ordered`, of the occluders' bounds: x, y, z at most, -x, -y, -z at most; then of the origins'
   float unbounded_radius;
   float unbounded_depth_scale;
 };

@@ -32,8 +32,8 @@ Occluder fetch_occluder(uint triangle) {
   return o;
 }
 
-// By how much a shape is larger than the influence region, so that rounding loses no pixel: of the radius, of coordinates
-// and the surface offset, and of a pixel, since rasterisers put corners on a grid of 1/256 pixel.
+// By how much a shape is larger than the influence region, so that rounding loses no pixel: of the radius, of
+// coordinates and the surface offset, and of a pixel, since rasterisers put corners on a grid of 1/256 pixel.
 float margin_of(Occluder o) {
   float largest = texelFetch(largest_coordinate, 0).x;
   float far = is_perspective() ? max(o.depths.y + o.range.y, 0.0) : 1.0;

@@ -6,8 +6,8 @@
 // The two strips of the prism's 20 triangles, fronts outwards.
 const int kPrismStrips[24] = int[24](6, 7, 11, 8, 10, 9, 4, 3, 5, 2, 0, 1, 10, 4, 11, 5, 6, 0, 7, 1, 8, 2, 9, 3);
 
-// Figure 2 at one corner: the line at `radius` across the bisector meets the two edges' lines, moved out by `radius`, in
-// two points; `side` is -1 for that on the edge that comes in, +1 for that on the edge that goes out.
+// Figure 2 at one corner: the line at `radius` across the bisector meets the two edges' lines, moved out by `radius`,
+// in two points; `side` is -1 for that on the edge that comes in, +1 for that on the edge that goes out.
 vec3 base_point(vec3 previous, vec3 corner, vec3 next, vec3 normal, float radius, float side) {
   vec3 in_edge = normalize(corner - previous), out_edge = normalize(next - corner);
   vec3 in_normal = cross(in_edge, normal), out_normal = cross(out_edge, normal);
@@ -29,8 +29,8 @@ vec4 prism_vertex(Occluder o, int vertex) {
   // "For one-sided triangles, we offset the base of the prism slightly inside the surface."
   float base = is_two_sided() ? -radius : -margin;
   place += o.normal * (vertex < 6 ? base : radius);
-  // No point of the prism is twice the radius from the triangle. Where it comes close to the plane of the eye, or behind
-  // it, interpolated depths mean nothing: then all of it is as far as its farthest point.
+  // No point of the prism is twice the radius from the triangle. Where it comes close to the plane of the eye, or
+  // behind it, interpolated depths mean nothing: then all of it is as far as its farthest point.
   float near = o.depths.x - 2.0 * radius, far = o.depths.y + 2.0 * radius;
   bool is_flat = is_perspective() && near < 1e-3 * far;
   return is_flat ? to_clip_at(place, far) : to_clip(place);

@@ -1,6 +1,6 @@
 #version 450 core
-// The AO radius that stands for an infinite one: a power of two, so that rays keep their digits, beyond all occluders as
-// seen from all receivers. No larger than it need be by much, since rounding is counted as a share of the radius.
+// The AO radius that stands for an infinite one: a power of two, so that rays keep their digits, beyond all occluders
+// as seen from all receivers. No larger than it need be by much, since rounding is counted as a share of the radius.
 #include "gpu/mesh/extent.glsl"
 
 layout(local_size_x = 1) in;
