@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 
-#include <oneapi/tbb/global_control.h>
-#include <oneapi/tbb/task_arena.h>
+#include <tbb/global_control.h>
+#include <tbb/task_arena.h>
 
 #include "method/question.h"
 

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include <tbb/task_arena.h>
+
 namespace lkao::method {
 namespace {
 
@@ -17,6 +19,7 @@ SamplePattern Question::pattern() const {
 PlaneMaskTable Question::table(PlaneMasks masks) const {
   PlaneMaskTableOptions options;
   options.masks = masks;
+  options.thread_count = tbb::this_task_arena::max_concurrency();
   return PlaneMaskTable(pattern(), options);
 }
 

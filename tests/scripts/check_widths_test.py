@@ -6,7 +6,7 @@ import sys
 import tempfile
 import unittest
 
-SCRIPT = os.path.join(os.path.dirname(__file__), "../../scripts/check_widths.py")
+SCRIPT = os.path.join(os.path.dirname(__file__), "../../src/scripts/check_widths.py")
 
 
 def named_lines(*lines):

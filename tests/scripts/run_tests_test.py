@@ -6,7 +6,7 @@ import sys
 import tempfile
 import unittest
 
-SCRIPT = os.path.join(os.path.dirname(__file__), "../../scripts/run_tests.py")
+SCRIPT = os.path.join(os.path.dirname(__file__), "../../src/scripts/run_tests.py")
 
 # Its tests are named after what they do.
 PROGRAM = """#!{python}
