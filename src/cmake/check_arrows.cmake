@@ -71,8 +71,8 @@ function(judge PART FILE LINE)
   endif()
 endfunction()
 
-foreach(part IN ITEMS include/lkao lut bvh gpu/gl gpu/frame gpu/mesh gpu/masks gpu/volumes gpu/screen src/query src/scene
-                      src/lod src/image src/reference src/raster src/method src/cli bench)
+foreach(part IN ITEMS include/lkao lut bvh gpu/gl gpu/frame gpu/mesh gpu/masks gpu/volumes gpu/screen src/query
+                      src/scene src/lod src/image src/reference src/raster src/method src/cli bench)
   file(GLOB_RECURSE files RELATIVE "${ROOT}" "${ROOT}/${part}/*.h" "${ROOT}/${part}/*.cpp" "${ROOT}/${part}/*.glsl")
   foreach(file IN LISTS files)
     math(EXPR file_count "${file_count} + 1")
