@@ -2,7 +2,7 @@
 // multiply-adds: every target gives the same bits.
 #include "lut/plane_mask_fill.h"
 
-#include <cstring>
+#include <cstdint>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "lut/plane_mask_fill.cpp"
@@ -11,6 +11,7 @@
 #include <hwy/highway.h>
 
 #include "lut/isa.h"
+#include "lut/simd/mask_bits-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace lkao::lut::HWY_NAMESPACE {
@@ -37,11 +38,7 @@ void fill(const RayEnds& ends, const glm::vec3& axis, std::uint64_t* const (&wor
       Bits masks[kMasks];
       beyond(height, hn::LoadU(tag, &ends.length[static_cast<std::size_t>(ray)]), masks);
       for (int i = 0; i < kMasks; ++i) {
-        std::uint8_t bytes[8] = {};
-        hn::StoreMaskBits(tag, masks[i], bytes);
-        std::uint64_t lane_bits;
-        std::memcpy(&lane_bits, bytes, sizeof(lane_bits));
-        packed[i] |= lane_bits << bit;
+        packed[i] |= std::uint64_t{bits_of(tag, masks[i])} << bit;
       }
     }
     for (int i = 0; i < kMasks; ++i) words[i][word] = packed[i];

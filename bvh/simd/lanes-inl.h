@@ -14,6 +14,7 @@
 
 #include "bvh/lane_lists.h"
 #include "bvh/layout.h"
+#include "lut/simd/mask_bits-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace lkao::bvh::HWY_NAMESPACE {
@@ -30,19 +31,7 @@ constexpr int lane_count(Tag tag) {
   return static_cast<int>(hn::Lanes(tag));
 }
 
-// The lanes of a mask as bits. Reads just the bytes that were stored, so that no memory is touched in the end.
-template <class Tag, class Mask>
-HWY_INLINE std::uint32_t bits_of(Tag tag, Mask mask) {
-  std::uint8_t bytes[8];
-  hn::StoreMaskBits(tag, mask, bytes);
-  if constexpr (hn::MaxLanes(Tag()) > 8) {
-    std::uint16_t bits;
-    std::memcpy(&bits, bytes, sizeof(bits));
-    return bits;
-  } else {
-    return bytes[0];
-  }
-}
+using lut::HWY_NAMESPACE::bits_of;
 
 // The mask of such bits.
 template <class Tag>

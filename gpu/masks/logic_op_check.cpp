@@ -9,7 +9,7 @@
 
 #include "gpu/gl/error.h"
 #include "gpu/gl/program.h"
-#include "gpu/masks/targets.h"
+#include "gpu/masks/mask_images.h"
 
 namespace lkao::gl {
 namespace {
@@ -54,10 +54,10 @@ std::vector<Mask> draw_on_cpu(const std::vector<Rectangle>& rectangles) {
 }
 
 std::vector<Mask> draw_by_logic_op(const std::vector<Rectangle>& rectangles) {
-  const Targets targets(kSize, kSize, 1, false);
+  const MaskImages images(kSize, kSize, 1, false);
   const ProgramObject program = make_program({"frame/screen.vert", "masks/fill.frag"});
   const VertexArray no_attributes = make_vertex_array();
-  targets.bind_masks();
+  images.bind_masks();
   glUseProgram(program.name());
   glBindVertexArray(no_attributes.name());
   glEnable(GL_COLOR_LOGIC_OP);
@@ -70,7 +70,7 @@ std::vector<Mask> draw_by_logic_op(const std::vector<Rectangle>& rectangles) {
   }
   glDisable(GL_COLOR_LOGIC_OP);
   std::vector<Mask> pixels(kPixelCount);
-  glGetTextureImage(targets.masks(), 0, GL_RGBA_INTEGER, GL_UNSIGNED_INT, GLsizei{kPixelCount * 16}, pixels.data());
+  glGetTextureImage(images.masks(), 0, GL_RGBA_INTEGER, GL_UNSIGNED_INT, GLsizei{kPixelCount * 16}, pixels.data());
   check_errors("testing the logic op");
   return pixels;
 }

@@ -55,7 +55,7 @@ void MaskPass::draw(const Occluders& occluders, const GBuffer& g_buffer, const C
   const MeshBuffers& mesh = occluders.buffers();
   const StateKeeper keeper(kDrawUse, state.setup.keep_state);
   state.is_drawn = false;
-  state.make_targets(g_buffer.width, g_buffer.height);
+  state.make_images(g_buffer.width, g_buffer.height);
   state.wait_for_last_frame();
   if (mesh.has_ranges()) state.table->add_directions();
   state.describe(mesh, g_buffer, camera, options, raster);
@@ -73,7 +73,7 @@ void MaskPass::draw(const Occluders& occluders, const GBuffer& g_buffer, const C
 void MaskPass::resolve(const ResolveTargets& written) {
   require_clean_context();
   state_->require_drawn();
-  validate(written, state_->targets.width(), state_->targets.height());
+  validate(written, state_->images.width(), state_->images.height());
   const StateKeeper keeper(kResolveUse, state_->setup.keep_state);
   state_->write_targets(written);
   check_errors("resolving occlusion");
@@ -81,7 +81,7 @@ void MaskPass::resolve(const ResolveTargets& written) {
 
 ObjectName MaskPass::masks_texture() const {
   state_->require_drawn();
-  return state_->targets.masks();
+  return state_->images.masks();
 }
 
 GeometryBackEnd MaskPass::geometry() const { return state_->setup.geometry; }

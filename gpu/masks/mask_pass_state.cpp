@@ -71,11 +71,11 @@ void MaskPass::State::set_table(const PlaneMaskTable& wanted) {
   is_drawn = false;
 }
 
-void MaskPass::State::make_targets(int width, int height) {
-  if (targets.fits(width, height, table->layer_count())) return;
+void MaskPass::State::make_images(int width, int height) {
+  if (images.fits(width, height, table->layer_count())) return;
   // The old ones first: there may not be room for both.
-  targets = Targets();
-  targets = Targets(width, height, table->layer_count(), setup.accumulator == Accumulator::ssbo);
+  images = MaskImages();
+  images = MaskImages(width, height, table->layer_count(), setup.accumulator == Accumulator::ssbo);
 }
 
 // By themselves, writes of shaders wait for nothing that came before, and clears and copies do not wait for writes of
@@ -124,7 +124,7 @@ void MaskPass::State::bind_blocks() const {
 }
 
 void MaskPass::State::dispatch_over_pixels() const {
-  glDispatchCompute(static_cast<GLuint>((targets.width() + 7) / 8), static_cast<GLuint>((targets.height() + 7) / 8), 1);
+  glDispatchCompute(static_cast<GLuint>((images.width() + 7) / 8), static_cast<GLuint>((images.height() + 7) / 8), 1);
 }
 
 void MaskPass::State::classify_occluders(const MeshBuffers& mesh) {
@@ -133,10 +133,10 @@ void MaskPass::State::classify_occluders(const MeshBuffers& mesh) {
 
 void MaskPass::State::find_receivers() {
   glUseProgram(receivers.name());
-  glBindImageTexture(0, targets.receivers(), 0, GL_TRUE, 0, GL_WRITE_ONLY, GL_RGBA32F);
+  glBindImageTexture(0, images.receivers(), 0, GL_TRUE, 0, GL_WRITE_ONLY, GL_RGBA32F);
   dispatch_over_pixels();
   glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
-  glBindTextureUnit(LKAO_UNIT_RECEIVERS, targets.receivers());
+  glBindTextureUnit(LKAO_UNIT_RECEIVERS, images.receivers());
 }
 
 // Receivers start at a distance from the surface that classifying finds, and shapes need the radius, which the
@@ -148,7 +148,7 @@ void MaskPass::State::find_radius(const MeshBuffers& mesh) {
 }
 
 void MaskPass::State::draw_depths() {
-  targets.bind_depth();
+  images.bind_depth();
   glUseProgram(depth.name());
   glBindVertexArray(no_attributes.name());
   glEnable(GL_DEPTH_TEST);
@@ -163,7 +163,7 @@ void MaskPass::State::draw_depths() {
 
 // Sec. 4, step 3: "rasterize far side of the shape", "inverted depth test", "do not perform depth writes".
 void MaskPass::State::draw_shapes(const MeshBuffers& mesh, const Camera& camera) {
-  targets.bind_masks();
+  images.bind_masks();
   table->bind();
   if (setup.count_fragments) {
     const GLuint zeros[6] = {};
@@ -188,7 +188,7 @@ void MaskPass::State::draw_shapes(const MeshBuffers& mesh, const Camera& camera)
   glDisable(GL_COLOR_LOGIC_OP);
   glDisable(GL_DEPTH_CLAMP);
   glDisable(GL_DEPTH_TEST);
-  targets.finish_masks();
+  images.finish_masks();
 }
 
 void MaskPass::State::drop_rays_not_cast() {
@@ -196,7 +196,7 @@ void MaskPass::State::drop_rays_not_cast() {
   if (all_are_cast) return;
   glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
   glUseProgram(cast.name());
-  glBindImageTexture(0, targets.masks(), 0, GL_TRUE, 0, GL_READ_WRITE, GL_RGBA32UI);
+  glBindImageTexture(0, images.masks(), 0, GL_TRUE, 0, GL_READ_WRITE, GL_RGBA32UI);
   dispatch_over_pixels();
   glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
 }
@@ -209,8 +209,8 @@ void MaskPass::State::write_targets(const ResolveTargets& written) {
   if (written.bent_normals != 0) bind_image(1, written.bent_normals);
   bind_blocks();
   table->bind();
-  glBindTextureUnit(LKAO_UNIT_RECEIVERS, targets.receivers());
-  glBindTextureUnit(LKAO_UNIT_MASKS, targets.masks());
+  glBindTextureUnit(LKAO_UNIT_RECEIVERS, images.receivers());
+  glBindTextureUnit(LKAO_UNIT_MASKS, images.masks());
   glUseProgram(resolve.name());
   begin_writing_targets();
   dispatch_over_pixels();

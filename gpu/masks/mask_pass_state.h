@@ -7,9 +7,9 @@
 #include "gpu/gl/objects.h"
 #include "gpu/gl/state_keeper.h"
 #include "gpu/gl/uniform_buffer.h"
+#include "gpu/masks/mask_images.h"
 #include "gpu/masks/mask_pass_block.h"
 #include "gpu/masks/table_buffer.h"
-#include "gpu/masks/targets.h"
 #include "gpu/mesh/mesh_buffers.h"
 #include "gpu/mesh/shape_lists.h"
 #include "gpu/mesh/shapes.h"
@@ -27,7 +27,7 @@ struct MaskPass::State {
   void set_table(const PlaneMaskTable& table);
 
   // The steps of a frame, in their order.
-  void make_targets(int width, int height);
+  void make_images(int width, int height);
   void wait_for_last_frame() const;
   void describe(const MeshBuffers& mesh, const GBuffer& g_buffer, const Camera& camera, const RayOptions& options,
                 const RasterOptions& raster);
@@ -53,7 +53,7 @@ struct MaskPass::State {
   ShapePrograms programs;  // for the table
   ShapeLists shapes;
   UnboundedRadius unbounded_radius;
-  Targets targets;
+  MaskImages images;
 
   // Of the last draw().
   bool is_drawn = false;

@@ -12,9 +12,9 @@ namespace lkao::gl {
 namespace {
 
 template <typename Texel>
-std::vector<Texel> read_layer(const Targets& targets, GLuint texture, int layer, GLenum format, GLenum type) {
-  std::vector<Texel> texels(static_cast<std::size_t>(targets.width()) * static_cast<std::size_t>(targets.height()));
-  glGetTextureSubImage(texture, 0, 0, 0, layer, targets.width(), targets.height(), 1, format, type,
+std::vector<Texel> read_layer(const MaskImages& images, GLuint texture, int layer, GLenum format, GLenum type) {
+  std::vector<Texel> texels(static_cast<std::size_t>(images.width()) * static_cast<std::size_t>(images.height()));
+  glGetTextureSubImage(texture, 0, 0, 0, layer, images.width(), images.height(), 1, format, type,
                        static_cast<GLsizei>(texels.size() * sizeof(Texel)), texels.data());
   check_errors("reading a texture");
   return texels;
@@ -28,12 +28,12 @@ std::vector<std::uint64_t> MaskPass::read_masks() {
   require_clean_context();
   state_->require_drawn();
   const StateKeeper keeper(kReadUse, state_->setup.keep_state);
-  const Targets& targets = state_->targets;
+  const MaskImages& images = state_->images;
   const auto words = static_cast<std::size_t>(state_->table->ray_count() / 64);
   std::vector<std::uint64_t> masks;
-  for (std::size_t k = 0; k < static_cast<std::size_t>(targets.layer_count()); ++k) {
+  for (std::size_t k = 0; k < static_cast<std::size_t>(images.layer_count()); ++k) {
     const auto texels =
-        read_layer<glm::uvec4>(targets, targets.masks(), static_cast<int>(k), GL_RGBA_INTEGER, GL_UNSIGNED_INT);
+        read_layer<glm::uvec4>(images, images.masks(), static_cast<int>(k), GL_RGBA_INTEGER, GL_UNSIGNED_INT);
     masks.resize(texels.size() * words);
     for (std::size_t i = 0; i < texels.size(); ++i) {
       masks[i * words + 2 * k] = word_of(texels[i].x, texels[i].y);
@@ -48,10 +48,10 @@ std::vector<PixelReceiver> MaskPass::read_receivers() {
   require_clean_context();
   state_->require_drawn();
   const StateKeeper keeper(kReadUse, state_->setup.keep_state);
-  const Targets& targets = state_->targets;
+  const MaskImages& images = state_->images;
   std::array<std::vector<glm::vec4>, LKAO_RECEIVER_LAYER_COUNT> layers;
   for (std::size_t k = 0; k < layers.size(); ++k) {
-    layers[k] = read_layer<glm::vec4>(targets, targets.receivers(), static_cast<int>(k), GL_RGBA, GL_FLOAT);
+    layers[k] = read_layer<glm::vec4>(images, images.receivers(), static_cast<int>(k), GL_RGBA, GL_FLOAT);
   }
   std::vector<PixelReceiver> receivers(layers[0].size());
   for (std::size_t i = 0; i < receivers.size(); ++i) {

@@ -6,11 +6,9 @@
 
 #include "gpu/gl/objects.h"
 #include "gpu/mesh/mesh_buffers.h"
-#include "lkao/gl/occluders.h"
+#include "gpu/mesh/shapes.h"
 
 namespace lkao::gl {
-
-enum class Shape { prism, billboard };
 
 // Room for what a pass knows of a mesh while it draws; grows with the largest mesh.
 class ShapeLists {

@@ -10,6 +10,8 @@
 
 namespace lkao::gl {
 
+enum class Shape { prism, billboard };
+
 struct ShapePrograms {
   ProgramObject prism, billboard;
 };

@@ -3,7 +3,6 @@
 #include "query/turn_pattern.h"
 
 #include <cstdint>
-#include <cstring>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "query/turn_pattern.cpp"
@@ -12,6 +11,7 @@
 #include <hwy/highway.h>
 
 #include "lut/isa.h"
+#include "lut/simd/mask_bits-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace lkao::query::HWY_NAMESPACE {
@@ -52,11 +52,7 @@ void turn_pattern(const PatternLanes& pattern, const glm::mat3& frame, float rad
       hn::Store(hn::Mul(direction.x, length), tag, rays.x + ray);
       hn::Store(hn::Mul(direction.y, length), tag, rays.y + ray);
       hn::Store(hn::Mul(direction.z, length), tag, rays.z + ray);
-      std::uint8_t bytes[8] = {};
-      hn::StoreMaskBits(tag, hn::Gt(dot(direction, above), zero), bytes);
-      std::uint64_t lanes;
-      std::memcpy(&lanes, bytes, sizeof(lanes));
-      cast |= lanes << bit;
+      cast |= std::uint64_t{lut::HWY_NAMESPACE::bits_of(tag, hn::Gt(dot(direction, above), zero))} << bit;
     }
     rays.cast.words[first / 64] = cast;
   }

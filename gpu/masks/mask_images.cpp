@@ -1,4 +1,4 @@
-#include "gpu/masks/targets.h"
+#include "gpu/masks/mask_images.h"
 
 #include <fmt/format.h>
 
@@ -28,7 +28,7 @@ void require_storage(int width, int height) {
 
 }  // namespace
 
-Targets::Targets(int width, int height, int layer_count, bool with_storage)
+MaskImages::MaskImages(int width, int height, int layer_count, bool with_storage)
     : width_(width), height_(height), layer_count_(layer_count) {
   receivers_ = make_layers(GL_RGBA32F, width, height, LKAO_RECEIVER_LAYER_COUNT);
   masks_ = make_layers(GL_RGBA32UI, width, height, layer_count);
@@ -58,16 +58,16 @@ Targets::Targets(int width, int height, int layer_count, bool with_storage)
   }
 }
 
-bool Targets::fits(int width, int height, int layer_count) const {
+bool MaskImages::fits(int width, int height, int layer_count) const {
   return width == width_ && height == height_ && layer_count == layer_count_;
 }
 
-void Targets::bind_depth() const {
+void MaskImages::bind_depth() const {
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
   glViewportIndexedf(0, 0.0f, 0.0f, static_cast<GLfloat>(width_), static_cast<GLfloat>(height_));
 }
 
-void Targets::bind_masks() const {
+void MaskImages::bind_masks() const {
   bind_depth();
   const GLuint zeros[4] = {0, 0, 0, 0};
   for (int k = 0; k < layer_count_; ++k) {
@@ -81,7 +81,7 @@ void Targets::bind_masks() const {
   }
 }
 
-void Targets::finish_masks() const {
+void MaskImages::finish_masks() const {
   if (!storage_[0]) return;
   glMemoryBarrier(GL_PIXEL_BUFFER_BARRIER_BIT);
   for (int k = 0; k < layer_count_; ++k) {

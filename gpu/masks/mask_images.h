@@ -8,12 +8,12 @@
 
 namespace lkao::gl {
 
-class Targets {
+class MaskImages {
  public:
-  Targets() = default;
+  MaskImages() = default;
   // `with_storage`: masks are gathered in shader storage, not by attachments.
   // Throws std::runtime_error where the driver cannot have them.
-  Targets(int width, int height, int layer_count, bool with_storage);
+  MaskImages(int width, int height, int layer_count, bool with_storage);
 
   // False for those that were made without arguments.
   bool fits(int width, int height, int layer_count) const;
