@@ -6,8 +6,9 @@ process for each. Here a process runs a batch of them. What CTest says of a test
 its timeout. Where a test ends its process, it has failed, and a new process goes on with the test after it. Tests that
 are no GoogleTest are left to CTest.
 
-A program all of whose tests passed is not run again until it changes, or something that it reads (lkao_test's READS),
-or what it runs on: packages, shared scenes, variables of the environment. --all runs it all the same.
+A program none of whose tests failed is not run again, but for the tests that were skipped, until it changes, or
+something that it reads (lkao_test's READS), or what it runs on: packages, shared scenes, variables of the environment.
+--all runs it all the same.
 
 Writes "PASSED FAILED SKIPPED" as numbers into the file REPORT, then a line for each failed test, each skipped one, and
 one for the programs that were not run again. The exit status is 0 unless the tests could not be run.
@@ -62,15 +63,17 @@ class Results:
         self.passed = 0
         self.failed = []
         self.skipped = []
-        self.unclean = set()  # programs with a failed or a skipped test
+        self.failed_programs = set()
+        self.skipped_by = {}  # the names of a program's skipped tests
 
     def add(self, program, passed=0, failed=(), skipped=()):
         with self.lock:
             self.passed += passed
             self.failed += [f"FAILED  {name}" for name in failed]
             self.skipped += [f"SKIPPED {name}: {reason}" for name, reason in skipped]
-            if failed or skipped:
-                self.unclean.add(program)
+            if failed:
+                self.failed_programs.add(program)
+            self.skipped_by.setdefault(program, []).extend(name for name, _ in skipped)
 
 
 class Process:
@@ -204,6 +207,11 @@ def batches_of(tests):
         yield tests[first : first + BATCH_SIZE]
 
 
+def skips_of(program):
+    """Under which name the stamps have the skipped tests of a program."""
+    return program + " skips"
+
+
 def main():
     parser = argparse.ArgumentParser(description="Runs the tests that a build folder's CTest knows.")
     parser.add_argument("folder")
@@ -231,9 +239,10 @@ def main():
     for program, its_tests in list(programs.items()):
         keys[program] = program_key(program, [[test.command, test.environment] for test in its_tests], around)
         if not options.all and stamps.is_good(program, keys[program]):
-            unchanged.append(f"{os.path.basename(program)} ({len(its_tests)})")
-            results.add(program, passed=len(its_tests))
-            del programs[program]
+            programs[program] = [test for test in its_tests if test.name in stamps.keys.get(skips_of(program), [])]
+            passed_before = len(its_tests) - len(programs[program])
+            unchanged.append(f"{os.path.basename(program)} ({passed_before})")
+            results.add(program, passed=passed_before)
 
     signal.signal(signal.SIGINT, stop)
     with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
@@ -241,13 +250,14 @@ def main():
         if others:
             work.append(pool.submit(run_by_ctest, options.folder, others, results))
         # Those that take long first, so that in the end no processor waits.
-        for its_tests in sorted(programs.values(), key=lambda of_one: "slow" not in of_one[0].labels):
+        for its_tests in sorted(filter(None, programs.values()), key=lambda of_one: "slow" not in of_one[0].labels):
             work += [pool.submit(run_batch, batch, results) for batch in batches_of(its_tests)]
         for done in concurrent.futures.as_completed(work):
             done.result()
 
     for program in programs:
-        stamps.set(program, keys[program] if program not in results.unclean else None)
+        stamps.set(skips_of(program), results.skipped_by.get(program, []))
+        stamps.set(program, keys[program] if program not in results.failed_programs else None)
     with open(options.report, "w", encoding="utf-8") as report:
         print(results.passed, len(results.failed), len(results.skipped), file=report)
         for line in results.failed + results.skipped:

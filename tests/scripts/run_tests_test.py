@@ -93,10 +93,17 @@ class RunTests(unittest.TestCase):
         self.assertEqual(self.run_tests("A.B", "A.D"), again)
         self.assertEqual(self.run_tests("A.B", "A.D"), unchanged)
 
-    def test_what_failed_or_was_skipped_is_run_again(self):
-        for name in ("A.Fail", "A.Skip", "A.Leak"):
+    def test_what_failed_is_run_again(self):
+        for name in ("A.Fail", "A.Leak"):
             self.run_tests("A.B", name)
             self.assertEqual(self.run_tests("A.B", name)[1], 1)
+
+    def test_of_a_program_with_skipped_tests_only_these_are_run_again(self):
+        note = f"UNCHANGED in {self.folder}, passed before, not run again: program (1)"
+        skipped = "SKIPPED A.Skip: needs a file"
+        self.assertEqual(self.run_tests("A.B", "A.Skip"), (["1 0 1", skipped], 1))
+        for _ in range(2):
+            self.assertEqual(self.run_tests("A.B", "A.Skip"), (["1 0 1", skipped, note], 1))
 
     def test_what_is_no_google_test_is_left_to_ctest(self):
         self.write("CTestTestfile.cmake", 'add_test(A "true")\nadd_test(B "false")\n')
