@@ -36,12 +36,19 @@ void require_room(std::size_t position_count) {
   }
 }
 
-// Packed copies, as OpenGL takes them.
-std::vector<glm::vec3> pack(const PositionView& positions) {
+GLsizeiptr packed_size(const PositionView& positions) {
+  return static_cast<GLsizeiptr>(positions.size() * sizeof(glm::vec3));
+}
+
+// Calls `take(data)` with the positions packed, as OpenGL takes them; copies only what is not.
+template <typename Take>
+void with_packed(const PositionView& positions, const Take& take) {
+  if (positions.packed() != nullptr) return take(positions.packed());
   std::vector<glm::vec3> packed(positions.size());
   for (std::size_t i = 0; i < packed.size(); ++i) packed[i] = positions[i];
-  return packed;
+  take(static_cast<const void*>(packed.data()));
 }
+
 std::vector<glm::uvec3> pack(const IndexView& triangles, std::size_t first, std::size_t count) {
   std::vector<glm::uvec3> packed(count);
   for (std::size_t i = 0; i < count; ++i) packed[i] = triangles[first + i];
@@ -49,8 +56,8 @@ std::vector<glm::uvec3> pack(const IndexView& triangles, std::size_t first, std:
 }
 
 template <typename Value>
-Buffer make_buffer_of(std::span<const Value> values, GLbitfield flags = 0) {
-  return make_buffer(static_cast<GLsizeiptr>(values.size_bytes()), values.data(), flags);
+Buffer make_buffer_of(std::span<const Value> values) {
+  return make_buffer(static_cast<GLsizeiptr>(values.size_bytes()), values.data(), 0);
 }
 
 }  // namespace
@@ -66,7 +73,9 @@ MeshBuffers::MeshBuffers(const PositionView& positions, const IndexView& triangl
   require_ranges(ranges, triangles.size());
   lut::check_indices(triangles, positions.size());
   require_room(positions.size());
-  positions_ = make_buffer_of(std::span<const glm::vec3>(pack(positions)), GL_DYNAMIC_STORAGE_BIT);
+  with_packed(positions, [&](const void* data) {
+    positions_ = make_buffer(packed_size(positions), data, GL_DYNAMIC_STORAGE_BIT);
+  });
   positions_texture_ = make_buffer_texture(GL_RGB32F, positions_);
   for (std::size_t first = 0; first < triangles.size(); first += capacity()) {
     const std::size_t count = std::min(capacity(), triangles.size() - first);
@@ -88,9 +97,8 @@ void MeshBuffers::update_positions(const PositionView& positions) {
         fmt::format("there are {} positions to update, not {}", position_count_, positions.size()));
   }
   if (positions.size() > 0) {
-    const std::vector<glm::vec3> packed = pack(positions);
-    glNamedBufferSubData(positions_.name(), 0, static_cast<GLsizeiptr>(packed.size() * sizeof(glm::vec3)),
-                         packed.data());
+    with_packed(positions,
+                [&](const void* data) { glNamedBufferSubData(positions_.name(), 0, packed_size(positions), data); });
   }
   check_errors("updating positions");
 }
