@@ -1,5 +1,7 @@
 #include "gpu/frame/view.h"
 
+#include <epoxy/gl.h>
+
 #include <cmath>
 #include <stdexcept>
 
@@ -90,6 +92,10 @@ DepthEnds orthographic_depth_ends(const Camera& camera) {
   const double first = ((camera.clip_depth == ClipDepth::zero_to_one ? 0.0 : -1.0) - depth.offset) / depth.slope;
   const double second = (1.0 - depth.offset) / depth.slope;
   return {std::fmin(first, second), std::fmax(first, second)};
+}
+
+void dispatch_over_pixels(int width, int height) {
+  glDispatchCompute(static_cast<GLuint>((width + 7) / 8), static_cast<GLuint>((height + 7) / 8), 1);
 }
 
 bool is_mirrored(const Camera& camera) {

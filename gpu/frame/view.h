@@ -21,6 +21,9 @@ struct DepthEnds {
 };
 DepthEnds orthographic_depth_ends(const Camera& camera);
 
+// Runs the compute program in use, whose groups are of 8 x 8 pixels, over all of them.
+void dispatch_over_pixels(int width, int height);
+
 // True where the screen shows the world mirrored, so that fronts of triangles run clockwise.
 bool is_mirrored(const Camera& camera);
 

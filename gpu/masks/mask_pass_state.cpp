@@ -91,7 +91,7 @@ void MaskPass::State::describe(const MeshBuffers& mesh, const GBuffer& g_buffer,
 
   shapes_block = {};
   // Any radius will do until find_radius() knows.
-  set_camera(camera, std::isinf(options.radius) ? 1.0f : options.radius, shapes_block);
+  set_camera(camera, view, std::isinf(options.radius) ? 1.0f : options.radius, shapes_block);
   shapes_block.is_unbounded = std::isinf(options.radius);
   shapes_block.is_two_sided = options.sidedness == Sidedness::two_sided;
   shapes_block.has_ranges = mesh.has_ranges();
@@ -123,10 +123,6 @@ void MaskPass::State::bind_blocks() const {
   }
 }
 
-void MaskPass::State::dispatch_over_pixels() const {
-  glDispatchCompute(static_cast<GLuint>((images.width() + 7) / 8), static_cast<GLuint>((images.height() + 7) / 8), 1);
-}
-
 void MaskPass::State::classify_occluders(const MeshBuffers& mesh) {
   shapes.classify(mesh, classify.name(), shapes_block.is_two_sided != 0);
 }
@@ -134,7 +130,7 @@ void MaskPass::State::classify_occluders(const MeshBuffers& mesh) {
 void MaskPass::State::find_receivers() {
   glUseProgram(receivers.name());
   glBindImageTexture(0, images.receivers(), 0, GL_TRUE, 0, GL_WRITE_ONLY, GL_RGBA32F);
-  dispatch_over_pixels();
+  dispatch_over_pixels(images.width(), images.height());
   glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
   glBindTextureUnit(LKAO_UNIT_RECEIVERS, images.receivers());
 }
@@ -197,7 +193,7 @@ void MaskPass::State::drop_rays_not_cast() {
   glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
   glUseProgram(cast.name());
   glBindImageTexture(0, images.masks(), 0, GL_TRUE, 0, GL_READ_WRITE, GL_RGBA32UI);
-  dispatch_over_pixels();
+  dispatch_over_pixels(images.width(), images.height());
   glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
 }
 
@@ -213,7 +209,7 @@ void MaskPass::State::write_targets(const ResolveTargets& written) {
   glBindTextureUnit(LKAO_UNIT_MASKS, images.masks());
   glUseProgram(resolve.name());
   begin_writing_targets();
-  dispatch_over_pixels();
+  dispatch_over_pixels(images.width(), images.height());
   end_writing_targets();
 }
 

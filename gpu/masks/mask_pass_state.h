@@ -43,8 +43,6 @@ struct MaskPass::State {
   void write_targets(const ResolveTargets& written);
 
   void bind_blocks() const;
-  // 8 x 8 pixels a group.
-  void dispatch_over_pixels() const;
   // Throws where there is nothing to resolve or read.
   void require_drawn() const;
 

@@ -28,7 +28,8 @@ std::vector<std::uint32_t> count_prism(GeometryBackEnd back_end) {
   const UniformBuffer<ShapesBlock> shapes;
   ShapesBlock shapes_block{};
   shapes_block.is_two_sided = 1;
-  set_camera(camera, radius, shapes_block);
+  const ViewBlock view_block = make_view_block(camera, kSize, kSize);
+  set_camera(camera, view_block, radius, shapes_block);
   const Buffer counts = make_buffer(kPixelCount * 4, nullptr, 0);
   const GLuint zero = 0;
   glClearNamedBufferData(counts.name(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &zero);
@@ -43,7 +44,7 @@ std::vector<std::uint32_t> count_prism(GeometryBackEnd back_end) {
   glNamedFramebufferParameteri(framebuffer.name(), GL_FRAMEBUFFER_DEFAULT_WIDTH, kSize);
   glNamedFramebufferParameteri(framebuffer.name(), GL_FRAMEBUFFER_DEFAULT_HEIGHT, kSize);
 
-  view.set_and_bind(make_view_block(camera, kSize, kSize));
+  view.set_and_bind(view_block);
   shapes.set_and_bind(shapes_block);
   lists.classify(mesh, classify.name(), true);
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.name());

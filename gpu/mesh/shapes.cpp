@@ -13,10 +13,9 @@ ShapePrograms make_shape_programs(GeometryBackEnd back_end, const std::string& f
           make_program({"mesh/billboard.vert", fragment}, defines)};
 }
 
-void set_camera(const Camera& camera, float radius, ShapesBlock& block) {
-  const bool is_perspective = camera.projection[2][3] != 0;
+void set_camera(const Camera& camera, const ViewBlock& view, float radius, ShapesBlock& block) {
   glm::dvec4 depth_row;
-  if (is_perspective) {
+  if (view.is_perspective != 0) {
     // 1 / 1024 of the radius: nothing nearer matters, and float keeps its precision whatever the scale.
     block.depth_scale = radius * 0x1p-10f;
     block.depth_far = 0;

@@ -8,6 +8,7 @@
 #include "gpu/frame/g_buffer.h"
 #include "gpu/frame/occlusion_target.h"
 #include "gpu/frame/texture_checks.h"
+#include "gpu/frame/view.h"
 #include "gpu/gl/error.h"
 #include "gpu/gl/objects.h"
 #include "gpu/gl/program.h"
@@ -76,7 +77,7 @@ void BilateralFilter::State::run(int step_x, int step_y, FilterBlock values, Obj
   glBindSampler(LKAO_UNIT_UNFILTERED, plain_sampler.name());
   bind_image(0, to);
   begin_writing_targets();
-  glDispatchCompute(static_cast<GLuint>((width + 7) / 8), static_cast<GLuint>((height + 7) / 8), 1);
+  dispatch_over_pixels(width, height);
   end_writing_targets();
 }
 
