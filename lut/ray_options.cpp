@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
 
 #include "lut/coordinates.h"
 
@@ -16,6 +17,12 @@ void check(const RayOptions& options) {
           "in [0, pi/2] radians", options.jitter.tilt);
   require(std::isfinite(options.surface_offset) && options.surface_offset >= 0, "surface_offset",
           "finite and at least 0", options.surface_offset);
+}
+
+void check(const RayOptions& options, const PlaneMaskTable& table) {
+  if (std::isinf(options.radius) && &table.directions() != &table) {
+    throw std::invalid_argument("radius must be finite, not inf, for a plane mask table of rays of several lengths");
+  }
 }
 
 }  // namespace lkao::lut

@@ -1,7 +1,6 @@
 // The public face of the pass.
 #include "lkao/gl/mask_pass.h"
 
-#include <cmath>
 #include <stdexcept>
 #include <utility>
 
@@ -49,9 +48,7 @@ void MaskPass::draw(const Occluders& occluders, const GBuffer& g_buffer, const C
   gl::validate(g_buffer);
   State& state = *state_;
   if (!state.table) throw std::runtime_error("draw() needs a plane mask table: call set_table() first");
-  if (std::isinf(options.radius) && !state.table->has_full_lengths()) {
-    throw std::invalid_argument("radius must be finite, not inf, for a plane mask table of rays of several lengths");
-  }
+  lut::check(options, state.table->table());
   const MeshBuffers& mesh = occluders.buffers();
   const StateKeeper keeper(kDrawUse, state.setup.keep_state);
   state.is_drawn = false;

@@ -29,7 +29,7 @@ TableBuffer::TableBuffer(const PlaneMaskTable& table)
 }
 
 void TableBuffer::add_directions() {
-  if (has_directions_ || has_full_lengths()) return;
+  if (has_directions_ || &table_.directions() == &table_) return;
   has_directions_ = true;
   upload_masks();
 }

@@ -23,8 +23,7 @@ class TableBuffer {
   int layer_count() const { return (ray_count_ + 127) / 128; }
   bool is_cube() const { return is_cube_; }
   bool has_bounds() const { return has_bounds_; }
-  // All rays are as long as the AO radius.
-  bool has_full_lengths() const { return &table_.directions() == &table_; }
+  const PlaneMaskTable& table() const { return table_; }
   // In radians, of the pattern.
   float lowest_elevation() const { return lowest_elevation_; }
 

@@ -1,7 +1,5 @@
 #include "lkao/ambient_occlusion.h"
 
-#include <algorithm>
-#include <cmath>
 #include <stdexcept>
 #include <utility>
 
@@ -26,13 +24,6 @@ void check(const std::vector<OccluderLevel>& levels) {
   }
 }
 
-void check(const PlaneMaskTable& table, const RayOptions& options) {
-  const auto lengths = table.pattern().lengths();
-  if (std::isinf(options.radius) && std::any_of(lengths.begin(), lengths.end(), [](float l) { return l != 1; })) {
-    throw std::invalid_argument("radius must be finite, not inf, for a plane mask table of rays of several lengths");
-  }
-}
-
 }  // namespace
 
 AmbientOcclusion::AmbientOcclusion(OccluderBvh occluders, SamplePattern pattern, const RayOptions& options,
@@ -52,7 +43,7 @@ AmbientOcclusion::AmbientOcclusion(OccluderBvh occluders, PlaneMaskTable table, 
                                    NodeMasks node_masks)
     : pattern_(table.pattern()) {
   lut::check(options);
-  check(table, options);
+  lut::check(options, table);
   const std::vector levels{OccluderLevel{std::move(occluders)}};
   tracer_ = std::make_shared<query::Tracer>(levels, pattern_, options, query::ByTable{std::move(table), node_masks});
 }
