@@ -43,7 +43,7 @@ GLsizeiptr packed_size(const PositionView& positions) {
 // Calls `take(data)` with the positions packed, as OpenGL takes them; copies only what is not.
 template <typename Take>
 void with_packed(const PositionView& positions, const Take& take) {
-  if (positions.packed() != nullptr) return take(positions.packed());
+  if (positions.is_packed()) return take(positions.data());
   std::vector<glm::vec3> packed(positions.size());
   for (std::size_t i = 0; i < packed.size(); ++i) packed[i] = positions[i];
   take(static_cast<const void*>(packed.data()));

@@ -29,8 +29,9 @@ class PositionView {
   PositionView(const float* first, std::size_t count, std::size_t stride = 0);
 
   std::size_t size() const { return count_; }
-  // Where the points lie one after the other with nothing between them, the bytes of the first one; else null.
-  const void* packed() const { return stride_ == sizeof(glm::vec3) ? first_ : nullptr; }
+  // Whether the points lie one after the other with nothing between them, from data() on.
+  bool is_packed() const { return stride_ == sizeof(glm::vec3); }
+  const void* data() const { return first_; }
   glm::vec3 operator[](std::size_t i) const {
     float point[3];
     std::memcpy(point, first_ + i * stride_, sizeof(point));
