@@ -64,12 +64,20 @@ Defects find_defects(const Mesh& mesh) {
 }
 
 void drop_bad_triangles(Mesh& mesh) {
-  std::erase_if(mesh.triangles, [&mesh](const glm::uvec3& triangle) {
+  std::size_t kept = 0;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     glm::vec3 corners[3];
-    corners_of(mesh, triangle, corners);
-    return !lut::is_in_range(corners[0], corners[1], corners[2]) ||
-           bvh::has_zero_area(corners[0], corners[1], corners[2]);
-  });
+    corners_of(mesh, mesh.triangles[t], corners);
+    if (!lut::is_in_range(corners[0], corners[1], corners[2]) ||
+        bvh::has_zero_area(corners[0], corners[1], corners[2])) {
+      continue;
+    }
+    mesh.triangles[kept] = mesh.triangles[t];
+    if (!mesh.normal_corners.empty()) mesh.normal_corners[kept] = mesh.normal_corners[t];
+    ++kept;
+  }
+  mesh.triangles.resize(kept);
+  if (!mesh.normal_corners.empty()) mesh.normal_corners.resize(kept);
 }
 
 }  // namespace lkao::scene

@@ -19,6 +19,19 @@ double angle_between(const glm::dvec3& a, const glm::dvec3& b) {
   return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
 }
 
+// Where only one of the meshes has normals, the corners of the other have none. The triangles are already joined.
+void append_normals(Mesh& mesh, const Mesh& part) {
+  if (mesh.normals.empty() && part.normals.empty()) return;
+  const auto first = static_cast<std::uint32_t>(mesh.normals.size());
+  mesh.normals.insert(mesh.normals.end(), part.normals.begin(), part.normals.end());
+  mesh.normal_corners.resize(mesh.triangles.size() - part.triangles.size(), glm::uvec3(kNoNormal));
+  for (glm::uvec3 corners : part.normal_corners) {
+    for (int i = 0; i < 3; ++i) corners[i] += corners[i] == kNoNormal ? 0 : first;
+    mesh.normal_corners.push_back(corners);
+  }
+  mesh.normal_corners.resize(mesh.triangles.size(), glm::uvec3(kNoNormal));
+}
+
 }  // namespace
 
 Bounds bounds_of(const Mesh& mesh) {
@@ -45,6 +58,7 @@ void append(Mesh& mesh, const Mesh& part) {
   for (const glm::uvec3& triangle : part.triangles) {
     mesh.triangles.push_back(triangle + static_cast<std::uint32_t>(first));
   }
+  append_normals(mesh, part);
 }
 
 std::vector<glm::vec3> vertex_normals(const Mesh& mesh) {

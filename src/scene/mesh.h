@@ -1,6 +1,7 @@
 // An indexed triangle mesh that owns its arrays.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include <glm/vec3.hpp>
@@ -9,9 +10,19 @@
 
 namespace lkao::scene {
 
+inline constexpr std::uint32_t kNoNormal = 0xffffffffu;
+
 struct Mesh {
-  std::vector<glm::vec3> positions;
+  std::vector<glm::vec3> positions;  // less the origin
   std::vector<glm::uvec3> triangles;
+
+  // The normals that came with the mesh: unit vectors, and for every triangle which of them its corners have (or
+  // kNoNormal). Both empty where there are none.
+  std::vector<glm::vec3> normals = {};
+  std::vector<glm::uvec3> normal_corners = {};
+
+  // Far from zero a float is coarse: position + origin is where a vertex lies in its file (origin.h).
+  glm::dvec3 origin{0};
 
   TriangleMesh view() const { return {positions, triangles}; }
 };
@@ -19,7 +30,7 @@ struct Mesh {
 // Box around the finite positions that some triangle uses; empty (lower > upper) where there is none.
 Bounds bounds_of(const Mesh& mesh);
 
-// Adds the triangles of `part` behind those of `mesh`.
+// Adds the triangles of `part`, which has the same origin, behind those of `mesh`.
 void append(Mesh& mesh, const Mesh& part);
 
 // Unit normals, one a vertex, weighted by the angles of the triangles around it; zero where there is no usable

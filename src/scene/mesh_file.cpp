@@ -2,14 +2,17 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
+#include <utility>
 
 #include <fmt/format.h>
+#include <glm/geometric.hpp>
 
-#include "scene/mesh_formats.h"
+#include "scene/formats/readers.h"
+#include "scene/origin.h"
 
 namespace lkao::scene {
 
@@ -35,7 +38,7 @@ std::string read_bytes(const std::string& path) {
   return bytes;
 }
 
-void check_indices(const Mesh& mesh) {
+void check_indices(const FileMesh& mesh) {
   const std::size_t vertex_count = mesh.positions.size();
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     for (int corner = 0; corner < 3; ++corner) {
@@ -47,7 +50,7 @@ void check_indices(const Mesh& mesh) {
   }
 }
 
-Mesh read_by_extension(const std::string& path) {
+FileMesh read_by_extension(const std::string& path) {
   const std::string extension = extension_of(path);
   const std::string bytes = read_bytes(path);
   if (extension == "ply") return read_ply(bytes);
@@ -58,36 +61,47 @@ Mesh read_by_extension(const std::string& path) {
   throw std::runtime_error("not a supported mesh type (known: .obj .ply .stl .off .gltf .glb)");
 }
 
+// Normals of length one; corners with another have none.
+void take_normals(FileMesh& file, Mesh& mesh) {
+  bool has_any = false;
+  for (glm::vec3& normal : file.normals) {
+    const double length = glm::length(glm::dvec3(normal));
+    const bool is_usable = length > 0 && std::isfinite(length);
+    normal = is_usable ? glm::vec3(glm::dvec3(normal) / length) : glm::vec3(0.0f);
+    has_any = has_any || is_usable;
+  }
+  if (!has_any) return;
+  for (glm::uvec3& corners : file.normal_corners) {
+    for (int i = 0; i < 3; ++i) {
+      if (corners[i] >= file.normals.size() || file.normals[corners[i]] == glm::vec3(0.0f)) corners[i] = kNoNormal;
+    }
+  }
+  mesh.normals = std::move(file.normals);
+  mesh.normal_corners = std::move(file.normal_corners);
+}
+
 }  // namespace
 
-Mesh read_mesh_file(const std::string& path) {
+MeshFile open_mesh_file(const std::string& path, const std::optional<glm::dvec3>& origin) {
   try {
-    Mesh mesh = read_by_extension(path);
-    check_indices(mesh);
-    if (mesh.triangles.empty()) throw std::runtime_error("there are no triangles in it");
-    return mesh;
+    FileMesh file = read_by_extension(path);
+    check_indices(file);
+    if (file.triangles.empty()) throw std::runtime_error("there are no triangles in it");
+    cut_polygons(file);
+    MeshFile result{.mesh = {}, .contents = std::move(file.contents)};
+    result.mesh.origin = origin ? *origin : choose_origin(file.positions);
+    result.mesh.positions.reserve(file.positions.size());
+    for (const glm::dvec3& p : file.positions) result.mesh.positions.emplace_back(p - result.mesh.origin);
+    result.mesh.triangles = std::move(file.triangles);
+    take_normals(file, result.mesh);
+    return result;
   } catch (const std::runtime_error& error) {
     throw std::runtime_error(path + ": " + error.what());
   }
 }
 
-void add_polygon(Mesh& mesh, std::span<const std::uint32_t> polygon) {
-  for (std::size_t i = 2; i < polygon.size(); ++i) {
-    mesh.triangles.emplace_back(polygon[0], polygon[i - 1], polygon[i]);
-  }
-}
-
-double parse_number(std::string_view word) {
-  std::string_view digits = word;
-  if (digits.starts_with('+')) digits.remove_prefix(1);
-  double value = 0;
-  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-  // Too small for a double is zero to us; too large is infinite, a defect that is counted later.
-  if (error == std::errc::result_out_of_range) return std::strtod(std::string(digits).c_str(), nullptr);
-  if (error != std::errc() || end != digits.data() + digits.size()) {
-    throw std::runtime_error(fmt::format("\"{}\" is not a number", word.substr(0, 40)));
-  }
-  return value;
+Mesh read_mesh_file(const std::string& path, const std::optional<glm::dvec3>& origin) {
+  return open_mesh_file(path, origin).mesh;
 }
 
 }  // namespace lkao::scene

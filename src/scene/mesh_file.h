@@ -1,19 +1,29 @@
-// Mesh files in: OBJ, STL, glTF and GLB through assimp; PLY and OFF by readers of our own (mesh_formats.h says why).
+// Mesh files in: OBJ, PLY, STL, OFF, glTF and GLB. The readers are in formats/.
 #pragma once
 
+#include <optional>
 #include <string>
 
+#include "scene/contents.h"
 #include "scene/mesh.h"
 
 namespace lkao::scene {
 
-// Reads every triangle of the file: node transforms applied, polygons fanned into triangles, points and lines left
-// out, degenerate and non-finite triangles kept (drop_bad_triangles sorts those out). PLY and OFF keep
-// their vertices as they are numbered; elsewhere, where every corner has its own, vertices at equal positions are
-// joined.
+struct MeshFile {
+  Mesh mesh;
+  Contents contents;
+};
+
+// Reads every triangle of the file: node transforms applied, polygons cut into triangles, points and lines left out,
+// degenerate and non-finite triangles kept (drop_bad_triangles sorts those out). Vertices keep the file's numbers, used
+// or not; only those of STL, which gives every corner its own, are joined where their positions are equal.
+// The mesh's origin is `origin`, or without it what choose_origin() says.
 //
 // Throws std::runtime_error with one line naming the file and the fault: missing, a directory, an unsupported type,
 // empty, truncated or malformed, an index out of range, no triangles.
-Mesh read_mesh_file(const std::string& path);
+MeshFile open_mesh_file(const std::string& path, const std::optional<glm::dvec3>& origin = {});
+
+// The mesh alone.
+Mesh read_mesh_file(const std::string& path, const std::optional<glm::dvec3>& origin = {});
 
 }  // namespace lkao::scene

@@ -5,7 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "scene/mesh_formats.h"
+#include "scene/formats/readers.h"
+#include "scene/formats/text.h"
 
 namespace lkao::scene {
 
@@ -76,17 +77,17 @@ OffHeader read_header(WordLines& lines) {
   return header;
 }
 
-glm::vec3 parse_position(const Words& words, bool homogeneous, std::size_t vertex) {
+glm::dvec3 parse_position(const Words& words, bool homogeneous, std::size_t vertex) {
   const std::size_t needed = homogeneous ? 4 : 3;
   if (words.size() < needed) {
     throw std::runtime_error(fmt::format("vertex {} has {} of {} coordinates", vertex, words.size(), needed));
   }
   glm::dvec3 position(parse_number(words[0]), parse_number(words[1]), parse_number(words[2]));
   if (homogeneous) position /= parse_number(words[3]);
-  return glm::vec3(position);
+  return position;
 }
 
-void add_face(Mesh& mesh, const Words& words, std::size_t face, std::vector<std::uint32_t>& polygon) {
+void add_face(FileMesh& mesh, const Words& words, std::size_t face, std::vector<std::uint32_t>& polygon) {
   const std::size_t corner_count = parse_count(words[0], "a face's count of corners");
   if (words.size() - 1 < corner_count) {
     throw std::runtime_error(fmt::format("face {} has {} of {} corners", face, words.size() - 1, corner_count));
@@ -100,15 +101,15 @@ void add_face(Mesh& mesh, const Words& words, std::size_t face, std::vector<std:
     }
     polygon.push_back(static_cast<std::uint32_t>(index));
   }
-  add_polygon(mesh, polygon);
+  mesh.add_polygon(polygon);
 }
 
 }  // namespace
 
-Mesh read_off(std::string_view bytes) {
+FileMesh read_off(std::string_view bytes) {
   WordLines lines(bytes);
   const OffHeader header = read_header(lines);
-  Mesh mesh;
+  FileMesh mesh;
   Words words;
   for (std::size_t i = 0; i < header.vertex_count; ++i) {
     if (!lines.next(words)) {

@@ -11,8 +11,8 @@
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
 
-#include "scene/file_check.h"
-#include "scene/mesh_formats.h"
+#include "scene/formats/file_check.h"
+#include "scene/formats/readers.h"
 
 namespace lkao::scene {
 
@@ -21,9 +21,9 @@ namespace {
 // Joins vertices at the same position, as these formats or their importers give every corner its own.
 class VertexJoiner {
  public:
-  explicit VertexJoiner(Mesh& mesh) : mesh_(mesh) {}
+  explicit VertexJoiner(FileMesh& mesh) : mesh_(mesh) {}
 
-  std::uint32_t index_of(const glm::vec3& position) {
+  std::uint32_t index_of(const glm::dvec3& position) {
     const auto next = static_cast<std::uint32_t>(mesh_.positions.size());
     // A NaN equals nothing, itself included: such a vertex always gets an index of its own. -0 equals +0.
     const auto [entry, is_new] = indices_.try_emplace(position, next);
@@ -33,17 +33,17 @@ class VertexJoiner {
 
  private:
   struct Hash {
-    std::size_t operator()(const glm::vec3& p) const {
+    std::size_t operator()(const glm::dvec3& p) const {
       std::uint64_t hash = 0;
       for (int axis = 0; axis < 3; ++axis) {
-        hash = (std::rotl(hash, 23) ^ std::bit_cast<std::uint32_t>(p[axis] + 0.0f)) * 0x9e3779b97f4a7c15u;
+        hash = (std::rotl(hash, 23) ^ std::bit_cast<std::uint64_t>(p[axis] + 0.0)) * 0x9e3779b97f4a7c15u;
       }
       return static_cast<std::size_t>(hash ^ (hash >> 29));
     }
   };
 
-  Mesh& mesh_;
-  std::unordered_map<glm::vec3, std::uint32_t, Hash> indices_;
+  FileMesh& mesh_;
+  std::unordered_map<glm::dvec3, std::uint32_t, Hash> indices_;
 };
 
 glm::dmat4 to_glm(const aiMatrix4x4& m) {
@@ -55,7 +55,7 @@ class SceneFlattener {
  public:
   explicit SceneFlattener(const aiScene& scene) : scene_(scene), joiner_(mesh_) {}
 
-  Mesh flatten() && {
+  FileMesh flatten() && {
     if (scene_.mRootNode != nullptr) add_node(*scene_.mRootNode, glm::dmat4(1.0));
     return std::move(mesh_);
   }
@@ -73,9 +73,8 @@ class SceneFlattener {
     std::vector<std::uint32_t> indices(part.mNumVertices);
     for (unsigned i = 0; i < part.mNumVertices; ++i) {
       const aiVector3D& v = part.mVertices[i];
-      const glm::vec3 position(v.x, v.y, v.z);
-      indices[i] =
-          joiner_.index_of(is_identity ? position : glm::vec3(to_world * glm::dvec4(glm::dvec3(position), 1.0)));
+      const glm::dvec3 position(v.x, v.y, v.z);
+      indices[i] = joiner_.index_of(is_identity ? position : glm::dvec3(to_world * glm::dvec4(position, 1.0)));
     }
     // A mirroring transform turns fronts into backs; the other order of corners turns them back.
     const bool is_mirrored = glm::determinant(glm::dmat3(to_world)) < 0;
@@ -91,11 +90,11 @@ class SceneFlattener {
       polygon_.push_back(indices[face.mIndices[i]]);
     }
     if (is_mirrored) std::reverse(polygon_.begin() + (polygon_.empty() ? 0 : 1), polygon_.end());
-    add_polygon(mesh_, polygon_);
+    mesh_.add_polygon(polygon_);
   }
 
   const aiScene& scene_;
-  Mesh mesh_;
+  FileMesh mesh_;
   VertexJoiner joiner_;
   std::vector<std::uint32_t> polygon_;
 };
@@ -121,7 +120,7 @@ std::size_t count_faces(const aiScene& scene) {
 
 }  // namespace
 
-Mesh read_through_assimp(const std::string& path, std::string_view bytes, const std::string& extension) {
+FileMesh read_through_assimp(const std::string& path, std::string_view bytes, const std::string& extension) {
   const std::optional<std::size_t> promised_count = check_file(path, bytes, extension);
   Assimp::Importer importer;
   const aiScene* scene = importer.ReadFile(path, 0);

@@ -10,13 +10,12 @@
 
 #include <fmt/format.h>
 
-#include "scene/mesh_formats.h"
+#include "scene/formats/readers.h"
+#include "scene/formats/text.h"
 
 namespace lkao::scene {
 
 namespace {
-
-constexpr std::string_view kBlanks = " \t\r\n\v\f";
 
 enum class Type { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
 
@@ -60,15 +59,6 @@ struct Header {
   std::vector<Element> elements;
   std::string_view data;  // behind the header
 };
-
-// The first word of a text, which is shortened by it; empty at the end.
-std::string_view take_word(std::string_view& text) {
-  const std::size_t begin = std::min(text.find_first_not_of(kBlanks), text.size());
-  const std::size_t end = std::min(text.find_first_of(kBlanks, begin), text.size());
-  const std::string_view word = text.substr(begin, end - begin);
-  text.remove_prefix(end);
-  return word;
-}
 
 Encoding parse_encoding(std::string_view line) {
   const std::string_view word = take_word(line);
@@ -208,7 +198,7 @@ std::uint32_t to_index(double value, const Element& element, std::size_t record)
 }
 
 // A strip turns the order of corners around at every step; -1 begins a new strip.
-void add_strip(Mesh& mesh, const std::vector<double>& strip, const Element& element, std::size_t record) {
+void add_strip(FileMesh& mesh, const std::vector<double>& strip, const Element& element, std::size_t record) {
   std::vector<std::uint32_t> run;
   for (double value : strip) {
     if (value == -1.0) {
@@ -223,12 +213,12 @@ void add_strip(Mesh& mesh, const std::vector<double>& strip, const Element& elem
   }
 }
 
-void read_vertex(ValueReader& reader, const Element& element, Mesh& mesh, std::vector<double>& scratch) {
-  glm::vec3 position(0.0f);
+void read_vertex(ValueReader& reader, const Element& element, FileMesh& mesh, std::vector<double>& scratch) {
+  glm::dvec3 position(0.0);
   for (const Property& property : element.properties) {
     const std::size_t axis = std::string_view("xyz").find(property.name);
     if (property.name.size() == 1 && axis < 3 && !property.is_list) {
-      position[static_cast<glm::vec3::length_type>(axis)] = static_cast<float>(reader.read(property.type));
+      position[static_cast<glm::dvec3::length_type>(axis)] = reader.read(property.type);
     } else {
       skip(reader, property, scratch);
     }
@@ -236,7 +226,7 @@ void read_vertex(ValueReader& reader, const Element& element, Mesh& mesh, std::v
   mesh.positions.push_back(position);
 }
 
-void read_face(ValueReader& reader, const Element& element, std::size_t record, Mesh& mesh,
+void read_face(ValueReader& reader, const Element& element, std::size_t record, FileMesh& mesh,
                std::vector<double>& scratch, std::vector<std::uint32_t>& polygon) {
   for (const Property& property : element.properties) {
     skip(reader, property, scratch);
@@ -247,11 +237,11 @@ void read_face(ValueReader& reader, const Element& element, std::size_t record, 
     }
     polygon.clear();
     for (double value : scratch) polygon.push_back(to_index(value, element, record));
-    add_polygon(mesh, polygon);
+    mesh.add_polygon(polygon);
   }
 }
 
-void read_element(ValueReader& reader, const Element& element, Mesh& mesh) {
+void read_element(ValueReader& reader, const Element& element, FileMesh& mesh) {
   if (element.properties.empty()) return;
   // No record takes less than a byte: a count from a damaged header reserves no more than the file's size.
   if (element.name == "vertex") mesh.positions.reserve(std::min(element.count, reader.bytes_left()));
@@ -290,11 +280,11 @@ void check_vertices(const Header& header) {
 
 }  // namespace
 
-Mesh read_ply(std::string_view bytes) {
+FileMesh read_ply(std::string_view bytes) {
   const Header header = parse_header(bytes);
   check_vertices(header);
   ValueReader reader(header.data, header.encoding);
-  Mesh mesh;
+  FileMesh mesh;
   for (const Element& element : header.elements) read_element(reader, element, mesh);
   return mesh;
 }

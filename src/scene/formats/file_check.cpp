@@ -1,4 +1,4 @@
-#include "scene/file_check.h"
+#include "scene/formats/file_check.h"
 
 #include <cstdint>
 #include <filesystem>

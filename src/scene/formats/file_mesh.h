@@ -1,0 +1,39 @@
+// What a reader finds in a mesh file.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "scene/contents.h"
+
+namespace lkao::scene {
+
+// Positions as the file has them, in double and under the numbers of the file, used or not.
+struct FileMesh {
+  // The fan of a polygon of more than three corners, still to be cut: corner_count - 2 triangles.
+  struct Fan {
+    std::size_t first_triangle;
+    std::size_t corner_count;
+  };
+
+  std::vector<glm::dvec3> positions;
+  std::vector<glm::uvec3> triangles;
+  // As in Mesh, but of any length: unusable ones may be among them.
+  std::vector<glm::vec3> normals;
+  std::vector<glm::uvec3> normal_corners;
+  std::vector<Fan> fans;
+  Contents contents;
+
+  // Adds a polygon; nothing where it has fewer than three corners. `corners` are numbers of positions, which may still
+  // be unknown; `corner_normals`, as many, numbers of normals or kNoNormal: either every polygon has them or none.
+  void add_polygon(std::span<const std::uint32_t> corners, std::span<const std::uint32_t> corner_normals = {});
+};
+
+// Puts the triangles of cut polygons in the place of fans; all numbers of positions must be in range.
+void cut_polygons(FileMesh& mesh);
+
+}  // namespace lkao::scene

@@ -1,0 +1,23 @@
+// The readers behind read_mesh_file, one a family of formats. All throw std::runtime_error with the fault alone; the
+// caller puts the file's name in front. Indices of vertices may still be out of range: read_mesh_file checks them.
+// Whatever the bytes, a reader takes no more memory than a few times their number, and does not recurse.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "scene/formats/file_mesh.h"
+
+namespace lkao::scene {
+
+// PLY: ASCII and binary of either byte order; faces and triangle strips.
+FileMesh read_ply(std::string_view bytes);
+
+// OFF, with or without normals, colours and texture coordinates; comments anywhere.
+FileMesh read_off(std::string_view bytes);
+
+// OBJ, STL, glTF and GLB through assimp. `bytes` is the content of the file, to check that what assimp hands over is
+// all that is in it. `extension` is in lower case, without the dot.
+FileMesh read_through_assimp(const std::string& path, std::string_view bytes, const std::string& extension);
+
+}  // namespace lkao::scene
