@@ -1,4 +1,4 @@
-// OBJ, STL, OFF, glTF and GLB in, and what is refused whatever the type.
+// OBJ, STL, glTF and GLB in, and what is refused whatever the type.
 #include "scene/mesh_file.h"
 
 #include <cmath>
@@ -144,46 +144,6 @@ TEST(Stl, EveryTruncationIsRefused) {
   }
   expect_refused(folder.write("cut.stl", binary.substr(0, binary.size() - 50)), "truncated");
   expect_refused(folder.write("cut.stl", "solid a\n" + kTextFacet + "endsolid a\nsolid b\n" + kTextFacet), "truncated");
-}
-
-// ---- OFF ----
-
-TEST(Off, IsReadWithCommentsColoursAndBigPolygons) {
-  const TemporaryFolder folder;
-  std::string text = "# a comment\nOFF\n\n14 2 0 # counts\n";
-  std::string face = "12";
-  for (int i = 0; i < 14; ++i) text += std::to_string(i) + " " + std::to_string(i * i) + " 0\n# between\n";
-  for (int i = 0; i < 12; ++i) face += " " + std::to_string(i);
-  const Mesh mesh = read_mesh_file(folder.write("a.off", text + face + " 255 0 0\n3 13 12 0"));
-  EXPECT_EQ(mesh.positions.size(), 14u);
-  ASSERT_EQ(mesh.triangles.size(), 11u);
-  EXPECT_EQ(mesh.triangles[9], glm::uvec3(0, 10, 11));
-  EXPECT_EQ(mesh.triangles[10], glm::uvec3(13, 12, 0));
-}
-
-TEST(Off, CountsMayFollowOnTheSameLine) {
-  const TemporaryFolder folder;
-  const Mesh mesh =
-      read_mesh_file(folder.write("a.off", "NOFF 3 1 0\n0 0 0 0 0 1\n1 0 0 0 0 1\n0 2 0 0 0 1\n3 0 1 2\n"));
-  EXPECT_EQ(mesh.positions[2], glm::vec3(0, 2, 0));
-}
-
-TEST(Off, FaultsAreNamed) {
-  const TemporaryFolder folder;
-  const std::string points = "0 0 0\n1 0 0\n1 1 0\n";
-  const auto refuse = [&](const std::string& bytes, const std::string& fault) {
-    expect_refused(folder.write("a.off", bytes), fault);
-  };
-  refuse("OFF\n3 2 0\n" + points + "3 0 1 2\n", "truncated: 1 of 2 faces");
-  refuse("OFF\n4 1 0\n" + points, "truncated: 3 of 4 vertices");
-  refuse("OFF\n3 1 0\n0 0 0\n1 0\n", "vertex 1 has 2 of 3 coordinates");
-  refuse("OFF\n3 1 0\n" + points + "3 0 1", "face 0 has 2 of 3 corners");
-  refuse("OFF\n3 1 0\n" + points + "3 0 1 3\n", "face 0 names vertex 3, but there are only 3 vertices");
-  refuse("OFF\n3 1 0\n" + points + "3 0 1 -1\n", "index is -1");
-  refuse("OFF\n3 0 0\n" + points, "no triangles");
-  refuse("OFF", "no counts");
-  refuse("OFF BINARY\n", "binary OFF");
-  refuse("hello\n", "the word OFF is missing");
 }
 
 // ---- glTF ----

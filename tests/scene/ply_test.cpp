@@ -163,5 +163,63 @@ TEST(Ply, BadIndicesAndNumbersAreRefused) {
   expect_refused(folder.write("a.ply", header("ascii", 4, 0) + points), "no triangles");
 }
 
+TEST(Ply, LinesMayEndInAnyWay) {
+  const TemporaryFolder folder;
+  const std::string text = header("ascii", 4, 2) + "0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n";
+  for (const char* end : {"\r", "\r\n"}) {
+    const auto with_end = [&](const std::string& lines) {
+      std::string bytes;
+      for (const char c : lines) bytes += c == '\n' ? std::string(end) : std::string(1, c);
+      return bytes;
+    };
+    EXPECT_EQ(read_mesh_file(folder.write("a.ply", "\xef\xbb\xbf" + with_end(text))).triangles.size(), 2u);
+    // Behind a header that ends in CR alone, an LF is data.
+    std::vector<glm::vec3> positions = kSquare;
+    const std::array<char, 4> bytes = {'\n', '\n', '\x40', '\x3f'};
+    std::memcpy(&positions[0].x, bytes.data(), 4);
+    const std::string binary = binary_square(false, {{0, 1, 2}}, positions);
+    const std::size_t data = binary.find("end_header\n") + 11;
+    EXPECT_EQ(read_mesh_file(folder.write("a.ply", with_end(binary.substr(0, data)) + binary.substr(data))).positions,
+              positions);
+  }
+}
+
+TEST(Ply, TextMayHaveMoreOnALineOrFewerLines) {
+  const TemporaryFolder folder;
+  for (const char* records :
+       {"0 0 0 9 9\n1 0 0\n1 1 0 255 255 255 255\n0 1 0\n3 0 1 2 0 0 0\n3 0 2 3 1\n",
+        "0 0 0 1 0 0\n1 1 0 0 1 0\n3 0 1 2 3 0 2 3\n", "0\n0\n0\n1 0 0\n1 1 0\n0 1\n0\n3 0\n1 2\n3 0 2 3"}) {
+    const Mesh mesh = read_mesh_file(folder.write("a.ply", header("ascii", 4, 2) + records));
+    EXPECT_EQ(mesh.positions, kSquare) << records;
+    EXPECT_EQ(mesh.triangles, (std::vector<glm::uvec3>{{0, 1, 2}, {0, 2, 3}})) << records;
+  }
+}
+
+TEST(Ply, NormalsAreRead) {
+  const TemporaryFolder folder;
+  const Mesh mesh = read_mesh_file(
+      folder.write("a.ply",
+                   "ply\nformat ascii 1.0\nelement vertex 4\nproperty float nx\nproperty float x\nproperty float y\n"
+                   "property float z\nproperty float ny\nproperty float nz\nelement face 1\n"
+                   "property list uchar int vertex_indices\nend_header\n0 0 0 0 0 2\n0 1 0 0 0 0\nnan 1 1 0 0 1\n0 0 1 "
+                   "0 3 4\n4 0 1 2 3\n"));
+  EXPECT_EQ(mesh.positions, kSquare);
+  ASSERT_EQ(mesh.normals.size(), 4u);
+  EXPECT_EQ(mesh.normals[0], glm::vec3(0, 0, 1));
+  EXPECT_EQ(mesh.normals[3], glm::vec3(0, 0.6f, 0.8f));
+  EXPECT_EQ(mesh.normal_corners, (std::vector<glm::uvec3>{{0, kNoNormal, kNoNormal}, {0, kNoNormal, 3}}));
+}
+
+TEST(Ply, AnOriginInACommentIsAddedToPositions) {
+  const TemporaryFolder folder;
+  std::string text = header("ascii", 3, 1) + "0 0 0.25\n1 0 0\n1 1 0\n3 0 1 2\n";
+  text.insert(text.find("comment"), "comment origin 448262 5413678 112\n");
+  const Mesh mesh = read_mesh_file(folder.write("a.ply", text));
+  EXPECT_EQ(glm::dvec3(mesh.positions[0]) + mesh.origin, glm::dvec3(448262, 5413678, 112.25));
+  EXPECT_LT(std::abs(mesh.positions[1].y), 16.0f);
+  text.replace(text.find("448262"), 6, "of the");
+  EXPECT_EQ(read_mesh_file(folder.write("a.ply", text)).origin, glm::dvec3(0)) << "an ordinary comment";
+}
+
 }  // namespace
 }  // namespace lkao::scene

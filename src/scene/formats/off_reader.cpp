@@ -1,5 +1,7 @@
-// OFF: the word OFF, three counts, a line for every vertex, a line for every face.
+// OFF: the word OFF, three counts, the vertices, the faces. A stream of numbers, in which line ends matter only where a
+// record has more numbers than it needs, such as colours.
 #include <algorithm>
+#include <limits>
 #include <stdexcept>
 #include <vector>
 
@@ -10,42 +12,52 @@
 
 namespace lkao::scene {
 
+namespace off {
 namespace {
 
-using Words = std::vector<std::string_view>;
-
-// The lines of a text as words; comments and blank lines left out.
-class WordLines {
+// The words of a text, comments left out.
+class Words {
  public:
-  explicit WordLines(std::string_view text) : rest_(text) {}
+  explicit Words(std::string_view text) : text_(text) {}
 
-  // False at the end of the text.
-  bool next(Words& words) {
-    while (!rest_.empty()) {
-      const std::size_t end = std::min(rest_.find('\n'), rest_.size());
-      split(rest_.substr(0, std::min(end, rest_.substr(0, end).find('#'))), words);
-      rest_.remove_prefix(std::min(end + 1, rest_.size()));
-      if (!words.empty()) return true;
+  // The next word, of whatever line; empty at the end of the text.
+  std::string_view next() {
+    while (true) {
+      const std::string_view word = take_word(line_);
+      if (!word.empty() || !next_line()) return word;
     }
-    return false;
+  }
+  // The next word of the same line; empty at its end.
+  std::string_view next_of_line() { return take_word(line_); }
+  void end_line() { line_ = {}; }
+
+  std::size_t bytes_left() const { return line_.size() + text_.size(); }
+  // Whether there are so many lines with words behind this one.
+  bool has_lines(std::size_t count) const {
+    Words rest(text_);
+    while (count > 0 && !rest.next().empty()) {
+      rest.end_line();
+      --count;
+    }
+    return count == 0;
   }
 
  private:
-  static void split(std::string_view line, Words& words) {
-    constexpr std::string_view kBlanks = " \t\r\v\f";
-    words.clear();
-    for (std::size_t begin = line.find_first_not_of(kBlanks); begin != line.npos;) {
-      const std::size_t end = std::min(line.find_first_of(kBlanks, begin), line.size());
-      words.push_back(line.substr(begin, end - begin));
-      begin = line.find_first_not_of(kBlanks, end);
-    }
+  bool next_line() {
+    if (!take_line(text_, line_)) return false;
+    line_ = line_.substr(0, line_.find('#'));
+    return true;
   }
 
-  std::string_view rest_;
+  std::string_view text_;
+  std::string_view line_;
 };
 
-struct OffHeader {
-  bool homogeneous = false;  // four coordinates a vertex, the fourth a divisor
+struct Header {
+  bool is_homogeneous = false;  // four coordinates a vertex, the fourth a divisor
+  bool has_normals = false;
+  bool has_texture_coordinates = false;
+  std::size_t numbers_per_vertex = 3;
   std::size_t vertex_count = 0;
   std::size_t face_count = 0;
 };
@@ -58,70 +70,136 @@ std::size_t parse_count(std::string_view word, const char* what) {
   return static_cast<std::size_t>(value);
 }
 
-OffHeader read_header(WordLines& lines) {
-  Words words;
-  if (!lines.next(words) || !words[0].ends_with("OFF") || words[0].size() > 7) {
-    throw std::runtime_error("malformed OFF: the word OFF is missing");
+// [ST][C][N][4][n]OFF. A vertex has its position, a normal, a colour of four numbers and two texture coordinates.
+void parse_keyword(std::string_view kind, Header& header) {
+  const auto takes = [&](std::string_view letters) {
+    const bool has = kind.starts_with(letters);
+    if (has) kind.remove_prefix(letters.size());
+    return has;
+  };
+  header.has_texture_coordinates = takes("ST");
+  const bool has_colours = takes("C");
+  header.has_normals = takes("N");
+  header.is_homogeneous = takes("4");
+  if (takes("n")) throw std::runtime_error("OFF of another dimension than 3 is not supported");
+  if (!kind.empty()) throw std::runtime_error("malformed OFF: the word OFF is missing");
+  header.numbers_per_vertex = 3u + (header.is_homogeneous ? 1 : 0) + (header.has_normals ? 3 : 0) +
+                              (has_colours ? 4 : 0) + (header.has_texture_coordinates ? 2 : 0);
+}
+
+bool is_number(std::string_view word) {
+  try {
+    parse_number(word);
+    return true;
+  } catch (const std::runtime_error&) {
+    return false;
   }
-  std::string_view kind = words[0].substr(0, words[0].size() - 3);
-  if (kind.find('n') != kind.npos) throw std::runtime_error("OFF of another dimension than 3 is not supported");
-  OffHeader header;
-  header.homogeneous = kind.find('4') != kind.npos;
-  words.erase(words.begin());
-  if (!words.empty() && words[0] == "BINARY") throw std::runtime_error("binary OFF is not supported");
-  // The counts stand on the same line or on the next; that of the edges is often left out.
-  if (words.empty() && !lines.next(words)) throw std::runtime_error("truncated OFF: there are no counts");
-  if (words.size() < 2) throw std::runtime_error("malformed OFF: the counts of vertices and faces are missing");
-  header.vertex_count = parse_count(words[0], "the count of vertices");
-  header.face_count = parse_count(words[1], "the count of faces");
+}
+
+// The word behind the keyword, which may be glued to it; the keyword itself may be missing.
+std::string_view parse_beginning(Words& words, Header& header) {
+  const std::string_view word = words.next();
+  const std::size_t end = word.find("OFF");
+  if (end == word.npos) {
+    if (word.empty() || !is_number(word)) throw std::runtime_error("malformed OFF: the word OFF is missing");
+    return word;
+  }
+  parse_keyword(word.substr(0, end), header);
+  const std::string_view glued = word.substr(end + 3);
+  const std::string_view first = glued.empty() ? words.next() : glued;
+  if (first == "BINARY") throw std::runtime_error("binary OFF is not supported");
+  if (first.empty()) throw std::runtime_error("truncated OFF: there are no counts");
+  return first;
+}
+
+// The count of edges may be missing; where counts stand on lines of their own, it stands alone too.
+void skip_edge_count(Words& words, bool counts_have_lines) {
+  if (!counts_have_lines) {
+    words.next_of_line();
+    return;
+  }
+  Words ahead = words;
+  if (ahead.next().empty() || !ahead.next_of_line().empty()) return;
+  words = ahead;
+}
+
+Header read_header(Words& words) {
+  Header header;
+  header.vertex_count = parse_count(parse_beginning(words, header), "the count of vertices");
+  std::string_view word = words.next_of_line();
+  const bool counts_have_lines = word.empty();
+  if (counts_have_lines) word = words.next();
+  if (word.empty()) throw std::runtime_error("malformed OFF: the counts of vertices and faces are missing");
+  header.face_count = parse_count(word, "the count of faces");
+  skip_edge_count(words, counts_have_lines);
   return header;
 }
 
-glm::dvec3 parse_position(const Words& words, bool homogeneous, std::size_t vertex) {
-  const std::size_t needed = homogeneous ? 4 : 3;
-  if (words.size() < needed) {
-    throw std::runtime_error(fmt::format("vertex {} has {} of {} coordinates", vertex, words.size(), needed));
+void read_vertex(Words& words, const Header& header, std::size_t vertex, std::vector<double>& numbers) {
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    const std::string_view word = words.next();
+    if (!word.empty()) {
+      numbers[i] = parse_number(word);
+    } else if (i == 0) {
+      throw std::runtime_error(fmt::format("truncated: {} of {} vertices", vertex, header.vertex_count));
+    } else {
+      throw std::runtime_error(fmt::format("vertex {} has {} of {} coordinates", vertex, i, numbers.size()));
+    }
   }
-  glm::dvec3 position(parse_number(words[0]), parse_number(words[1]), parse_number(words[2]));
-  if (homogeneous) position /= parse_number(words[3]);
-  return position;
 }
 
-void add_face(FileMesh& mesh, const Words& words, std::size_t face, std::vector<std::uint32_t>& polygon) {
-  const std::size_t corner_count = parse_count(words[0], "a face's count of corners");
-  if (words.size() - 1 < corner_count) {
-    throw std::runtime_error(fmt::format("face {} has {} of {} corners", face, words.size() - 1, corner_count));
+void read_vertices(Words& words, const Header& header, FileMesh& mesh) {
+  // A position takes six bytes at least, blanks included.
+  mesh.positions.reserve(std::min(header.vertex_count, words.bytes_left() / 6));
+  // Where vertices have lines of their own, colours may be of any number or missing.
+  const bool have_lines = words.has_lines(header.vertex_count + header.face_count);
+  const std::size_t coordinate_count = header.is_homogeneous ? 4 : 3;
+  std::vector<double> numbers(have_lines ? coordinate_count + (header.has_normals ? 3 : 0) : header.numbers_per_vertex);
+  for (std::size_t i = 0; i < header.vertex_count; ++i) {
+    read_vertex(words, header, i, numbers);
+    if (have_lines) words.end_line();
+    const glm::dvec3 position(numbers[0], numbers[1], numbers[2]);
+    mesh.positions.push_back(header.is_homogeneous ? position / numbers[3] : position);
+    if (!header.has_normals) continue;
+    const double* const normal = &numbers[coordinate_count];
+    mesh.normals.emplace_back(normal[0], normal[1], normal[2]);
   }
-  polygon.clear();
-  for (std::size_t i = 1; i <= corner_count; ++i) {
-    const std::size_t index = parse_count(words[i], "a face's index");
+}
+
+void read_face(Words& words, const Header& header, std::size_t face, FileMesh& mesh,
+               std::vector<std::uint32_t>& corners) {
+  const std::string_view count_word = words.next();
+  if (count_word.empty()) throw std::runtime_error(fmt::format("truncated: {} of {} faces", face, header.face_count));
+  const std::size_t corner_count = parse_count(count_word, "a face's count of corners");
+  corners.clear();
+  while (corners.size() < corner_count) {
+    const std::string_view word = words.next();
+    if (word.empty()) {
+      throw std::runtime_error(fmt::format("face {} has {} of {} corners", face, corners.size(), corner_count));
+    }
+    const std::size_t index = parse_count(word, "a face's index");
     if (index >= mesh.positions.size()) {
       throw std::runtime_error(
           fmt::format("face {} names vertex {}, but there are only {} vertices", face, index, mesh.positions.size()));
     }
-    polygon.push_back(static_cast<std::uint32_t>(index));
+    corners.push_back(static_cast<std::uint32_t>(index));
   }
-  mesh.add_polygon(polygon);
+  words.end_line();
+  mesh.add_polygon(corners);
 }
 
 }  // namespace
+}  // namespace off
 
 FileMesh read_off(std::string_view bytes) {
-  WordLines lines(bytes);
-  const OffHeader header = read_header(lines);
+  off::Words words(without_byte_order_mark(bytes));
+  const off::Header header = off::read_header(words);
   FileMesh mesh;
-  Words words;
-  for (std::size_t i = 0; i < header.vertex_count; ++i) {
-    if (!lines.next(words)) {
-      throw std::runtime_error(fmt::format("truncated: {} of {} vertices", i, header.vertex_count));
-    }
-    mesh.positions.push_back(parse_position(words, header.homogeneous, i));
-  }
-  std::vector<std::uint32_t> polygon;
-  for (std::size_t i = 0; i < header.face_count; ++i) {
-    if (!lines.next(words)) throw std::runtime_error(fmt::format("truncated: {} of {} faces", i, header.face_count));
-    add_face(mesh, words, i, polygon);
-  }
+  off::read_vertices(words, header, mesh);
+  std::vector<std::uint32_t> corners;
+  for (std::size_t i = 0; i < header.face_count; ++i) off::read_face(words, header, i, mesh, corners);
+  if (header.has_normals) mesh.normal_corners = mesh.triangles;
+  if (header.has_texture_coordinates) mesh.contents.uv_set_count = 1;
   return mesh;
 }
 

@@ -59,13 +59,14 @@ std::string_view take_word(std::string_view& text) {
 
 double parse_number(std::string_view word) {
   std::string_view digits = word;
-  if (digits.starts_with('+')) digits.remove_prefix(1);
+  if (digits.starts_with('+') && !digits.starts_with("+-")) digits.remove_prefix(1);
   double value = 0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
   if (error == std::errc() && end == digits.data() + digits.size()) return value;
   // Too small for a double is zero to us; too large is infinite, a defect that is counted later.
   if (error == std::errc::result_out_of_range) return std::strtod(std::string(digits).c_str(), nullptr);
-  if (parse_windows_word(digits.substr(digits.starts_with('-') ? 1 : 0), value)) return value;
+  const bool is_negative = digits.starts_with('-');
+  if (parse_windows_word(digits.substr(is_negative ? 1 : 0), value)) return is_negative ? -value : value;
   throw std::runtime_error(fmt::format("\"{}\" is not a number", word.substr(0, 40)));
 }
 
