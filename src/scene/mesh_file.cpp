@@ -4,13 +4,14 @@
 #include <cctype>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <stdexcept>
+#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
+#include "scene/formats/file_bytes.h"
 #include "scene/formats/readers.h"
 #include "scene/origin.h"
 
@@ -23,19 +24,6 @@ std::string extension_of(const std::string& path) {
   if (!extension.empty()) extension.erase(0, 1);
   for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   return extension;
-}
-
-std::string read_bytes(const std::string& path) {
-  std::error_code error;
-  const std::filesystem::file_status status = std::filesystem::status(path, error);
-  if (!std::filesystem::exists(status)) throw std::runtime_error("no such file");
-  if (std::filesystem::is_directory(status)) throw std::runtime_error("is a directory, not a mesh file");
-  std::ifstream in(path, std::ios::binary);
-  if (!in) throw std::runtime_error("cannot be opened for reading");
-  std::string bytes(std::istreambuf_iterator<char>(in), {});
-  if (in.bad()) throw std::runtime_error("cannot be read");
-  if (bytes.empty()) throw std::runtime_error("the file is empty");
-  return bytes;
 }
 
 void check_indices(const FileMesh& mesh) {
@@ -52,7 +40,9 @@ void check_indices(const FileMesh& mesh) {
 
 FileMesh read_by_extension(const std::string& path) {
   const std::string extension = extension_of(path);
-  const std::string bytes = read_bytes(path);
+  const FileBytes file = read_file(path);
+  const std::string_view bytes = file.view();
+  if (bytes.empty()) throw std::runtime_error("the file is empty");
   if (extension == "ply") return read_ply(bytes);
   if (extension == "off") return read_off(bytes);
   if (extension == "obj" || extension == "stl" || extension == "gltf" || extension == "glb") {
