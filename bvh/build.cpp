@@ -75,5 +75,6 @@ OccluderBvh::OccluderBvh(const TriangleMesh& mesh, const BuildOptions& options, 
 
 const BuildReport& OccluderBvh::report() const { return layout_->report; }
 const Bounds& OccluderBvh::bounds() const { return layout_->bounds; }
+const glm::dvec3& OccluderBvh::origin() const { return layout_->mesh.origin; }
 
 }  // namespace lkao

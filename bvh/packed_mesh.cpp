@@ -20,6 +20,7 @@ PackedMesh pack(const TriangleMesh& mesh) {
   PackedMesh packed;
   copy(mesh.positions, packed.positions);
   copy(mesh.triangles, packed.triangles);
+  packed.origin = mesh.positions.origin();
   return packed;
 }
 

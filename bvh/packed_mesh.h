@@ -14,6 +14,7 @@ namespace lkao::bvh {
 struct PackedMesh {
   std::vector<glm::vec3> positions;
   std::vector<glm::uvec3> triangles;
+  glm::dvec3 origin{0};  // of the positions
 
   // Corner 0, 1 or 2 of a triangle.
   const glm::vec3& corner(std::uint32_t primitive, int which) const { return positions[triangles[primitive][which]]; }

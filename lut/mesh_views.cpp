@@ -1,5 +1,6 @@
 #include "lut/mesh_views.h"
 
+#include <cmath>
 #include <stdexcept>
 #include <string>
 
@@ -24,6 +25,17 @@ PositionView::PositionView(const float* first, std::size_t count, std::size_t st
     : first_(reinterpret_cast<const std::byte*>(first)),
       count_(count),
       stride_(checked_stride(stride, 3 * sizeof(float), "stride of positions")) {}
+
+PositionView::PositionView(const double* first, std::size_t count, const glm::dvec3& origin, std::size_t stride)
+    : first_(reinterpret_cast<const std::byte*>(first)),
+      count_(count),
+      stride_(checked_stride(stride, 3 * sizeof(double), "stride of positions")),
+      are_doubles_(true),
+      origin_(origin) {
+  for (int axis = 0; axis < 3; ++axis) {
+    lut::require(std::isfinite(origin[axis]), "origin of positions", "finite", origin[axis]);
+  }
+}
 
 IndexView::IndexView(const void* first, std::size_t triangle_count, std::size_t stride, Type type)
     : first_(static_cast<const std::byte*>(first)),

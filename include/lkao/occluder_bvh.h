@@ -20,6 +20,8 @@ namespace lkao {
 //   TriangleMesh{positions, triangles}                                      vectors of glm::vec3 and glm::uvec3
 //   TriangleMesh{{&vertices[0].x, vertices.size(), sizeof(Vertex)},         a renderer's own vertices
 //                {indices.data(), indices.size() / 3}}                      and indices, of 16 or 32 bits
+//   TriangleMesh{{doubles, choose_origin({doubles, glm::dvec3(0)})}, triangles}   far from zero: see
+//   OccluderBvh::origin
 struct TriangleMesh {
   PositionView positions;
   IndexView triangles;
@@ -68,6 +70,9 @@ class OccluderBvh {
   const BuildReport& report() const;
   // Of all occluders; lower = +infinity, upper = -infinity where there is none.
   const Bounds& bounds() const;
+  // What the mesh's positions had taken away (PositionView): receivers must be given less it, as
+  // glm::vec3(position - origin()), and what comes back is less it too. Zero for a mesh of floats.
+  const glm::dvec3& origin() const;
   // For the kernels of this library.
   const bvh::Layout& layout() const { return *layout_; }
 

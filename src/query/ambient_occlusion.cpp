@@ -22,6 +22,10 @@ void check(const std::vector<OccluderLevel>& levels) {
     if (r_min >= 0 && r_min < r_max) continue;
     throw std::invalid_argument(fmt::format("levels[{}] must have 0 <= r_min < r_max, not {} and {}", i, r_min, r_max));
   }
+  for (std::size_t i = 1; i < levels.size(); ++i) {
+    if (levels[i].occluders.origin() == levels[0].occluders.origin()) continue;
+    throw std::invalid_argument(fmt::format("levels[{}] must have the origin of levels[0]", i));
+  }
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ struct Mesh {
   std::vector<glm::vec3> normals = {};
   std::vector<glm::uvec3> normal_corners = {};
 
-  // Far from zero a float is coarse: position + origin is where a vertex lies in its file (origin.h).
+  // Far from zero a float is coarse: position + origin is where a vertex lies in its file (choose_origin).
   glm::dvec3 origin{0};
 
   TriangleMesh view() const { return {positions, triangles}; }

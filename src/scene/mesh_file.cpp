@@ -13,7 +13,6 @@
 
 #include "scene/formats/file_bytes.h"
 #include "scene/formats/readers.h"
-#include "scene/origin.h"
 
 namespace lkao::scene {
 
@@ -79,7 +78,7 @@ MeshFile open_mesh_file(const std::string& path, const std::optional<glm::dvec3>
     if (file.triangles.empty()) throw std::runtime_error("there are no triangles in it");
     cut_polygons(file);
     MeshFile result{.mesh = {}, .contents = std::move(file.contents)};
-    result.mesh.origin = origin ? *origin : choose_origin(file.positions);
+    result.mesh.origin = origin ? *origin : choose_origin({file.positions, glm::dvec3(0.0)});
     result.mesh.positions.reserve(file.positions.size());
     for (const glm::dvec3& p : file.positions) result.mesh.positions.emplace_back(p - result.mesh.origin);
     result.mesh.triangles = std::move(file.triangles);

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -65,6 +66,36 @@ TEST(PositionView, NeedsNoAlignment) {
   expect_points({reinterpret_cast<const float*>(&bytes[1]), 3, 13});
 }
 
+TEST(PositionView, SeesDoublesLessAnOrigin) {
+  struct {
+    double x, y, z;
+    int colour;
+  } const vertices[] = {{5e6, 1 + 4e5, 2, 9}, {5e6 + 3, 4 + 4e5, 5, 9}, {5e6 + 6, 7 + 4e5, 8, 9}};
+  const glm::dvec3 origin(5e6, 4e5, 0);
+  expect_points({&vertices[0].x, 3, origin, sizeof(vertices[0])});
+  const std::vector<glm::dvec3> vector = {{5e6, 1 + 4e5, 2}, {5e6 + 3, 4 + 4e5, 5}, {5e6 + 6, 7 + 4e5, 8}};
+  const PositionView view(vector, origin);
+  expect_points(view);
+  EXPECT_EQ(view.origin(), origin);
+  EXPECT_EQ(view.exact(1), vector[1]);
+  EXPECT_FALSE(view.is_packed());
+}
+
+glm::dvec3 origin_of(const std::vector<glm::dvec3>& positions) { return choose_origin({positions, glm::dvec3(0)}); }
+
+TEST(ChooseOrigin, IsZeroUnlessTheBoxIsFar) {
+  EXPECT_EQ(origin_of({}), glm::dvec3(0));
+  EXPECT_EQ(origin_of({{-1, 0, 5}, {1, 2, 9}}), glm::dvec3(0));
+  EXPECT_EQ(origin_of({{1e9, 1e9, 1e9}}), glm::dvec3(0)) << "a box without extent";
+  EXPECT_EQ(origin_of({{std::numeric_limits<double>::quiet_NaN(), 0, 0}, {1e30, 0, 0}}), glm::dvec3(0));
+}
+
+TEST(ChooseOrigin, IsRoundAndNear) {
+  EXPECT_EQ(origin_of({{448262.3, 5413678.1, 112.4}, {448262.8, 5413678.6, 112.7}, {1e30, 0, 0}}),
+            glm::dvec3(448263, 5413678, 113));
+  EXPECT_EQ(choose_origin(std::vector<glm::vec3>{{1000, 0, 0}, {1001, 4, 3}}), glm::dvec3(1000, 0, 0));
+}
+
 void expect_triangles(const IndexView& view) {
   ASSERT_EQ(view.size(), 2u);
   EXPECT_EQ(view[0], glm::uvec3(0, 2, 1));
@@ -106,10 +137,15 @@ std::string error_of(const Call& call) {
 
 TEST(MeshViews, RefuseStridesThatOverlap) {
   const float positions[12] = {};
+  const double doubles[6] = {};
   const std::uint16_t indices[12] = {};
   const std::int32_t wide_indices[12] = {};
   EXPECT_EQ(error_of([&] { PositionView(positions, 2, 8); }),
             "stride of positions must be 0 or at least 12 bytes, not 8");
+  EXPECT_EQ(error_of([&] { PositionView(doubles, 2, glm::dvec3(0), 23); }),
+            "stride of positions must be 0 or at least 24 bytes, not 23");
+  EXPECT_EQ(error_of([&] { PositionView(doubles, 2, glm::dvec3(0, 1.0 / 0.0, 0)); }),
+            "origin of positions must be finite, not inf");
   EXPECT_EQ(error_of([&] { IndexView(indices, 2, 4); }), "stride of triangles must be 0 or at least 6 bytes, not 4");
   EXPECT_EQ(error_of([&] { IndexView(wide_indices, 2, 11); }),
             "stride of triangles must be 0 or at least 12 bytes, not 11");

@@ -1,9 +1,4 @@
-// Positions far from zero keep what a float would lose.
-#include "scene/origin.h"
-
-#include <limits>
-#include <vector>
-
+// Files whose positions are far from zero keep what a float would lose.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
@@ -13,19 +8,6 @@
 
 namespace lkao::scene {
 namespace {
-
-TEST(Origin, IsZeroUnlessTheSceneIsFar) {
-  EXPECT_EQ(choose_origin(std::vector<glm::dvec3>{}), glm::dvec3(0));
-  EXPECT_EQ(choose_origin(std::vector<glm::dvec3>{{-1, 0, 5}, {1, 2, 9}}), glm::dvec3(0));
-  EXPECT_EQ(choose_origin(std::vector<glm::dvec3>{{1e9, 1e9, 1e9}}), glm::dvec3(0)) << "a box without extent";
-  const double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(choose_origin(std::vector<glm::dvec3>{{nan, 0, 0}, {1e30, 0, 0}}), glm::dvec3(0));
-}
-
-TEST(Origin, IsRoundAndNear) {
-  const std::vector<glm::dvec3> positions = {{448262.3, 5413678.1, 112.4}, {448262.8, 5413678.6, 112.7}, {1e30, 0, 0}};
-  EXPECT_EQ(choose_origin(positions), glm::dvec3(448263, 5413678, 113));
-}
 
 // A square of 0.1 units, that far away.
 std::string square_text(const char* vertex, const glm::dvec3& place) {
@@ -42,7 +24,7 @@ void expect_small_square(const Mesh& mesh, const glm::dvec3& place) {
   EXPECT_NEAR(glm::distance(mesh.positions[1], mesh.positions[2]), 0.1f, 1e-7f);
 }
 
-TEST(Origin, FilesKeepDetailFarAway) {
+TEST(MeshFile, KeepsDetailFarAway) {
   const TemporaryFolder folder;
   const glm::dvec3 place(448262.32, 5413678.16, 112.4);
   expect_small_square(read_mesh_file(folder.write("a.off", "OFF 4 1 0\n" + square_text("", place) + "4 0 1 2 3\n")),
@@ -56,7 +38,7 @@ TEST(Origin, FilesKeepDetailFarAway) {
       place);
 }
 
-TEST(Origin, MayBeGiven) {
+TEST(MeshFile, TakesAGivenOrigin) {
   const TemporaryFolder folder;
   const std::string path = folder.write("a.off", "OFF 3 1 0\n101 0 0\n102 0 0\n101 1 0\n3 0 1 2\n");
   const Mesh mesh = read_mesh_file(path, glm::dvec3(100, 0, 0));
