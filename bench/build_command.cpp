@@ -30,7 +30,7 @@
 namespace lkao::bench {
 namespace {
 
-struct Options {
+struct BuildOptions {
   StudySceneOptions scenes;
   std::vector<std::size_t> hairballs;
   std::vector<int> thread_counts;
@@ -77,7 +77,7 @@ BuildResult result_of(BuildMethod method, const Input& input, const Samples& sam
 }
 
 // Round after round, so that a slow moment of the machine meets all methods.
-std::vector<BuildResult> measure(const Input& input, int thread_count, const Options& options) {
+std::vector<BuildResult> measure(const Input& input, int thread_count, const BuildOptions& options) {
   const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
                                     static_cast<std::size_t>(thread_count));
   std::vector<Samples> samples(options.methods.size());
@@ -99,9 +99,9 @@ std::string peak_memory() {
   return fmt::format("Peak memory of this process, with the mesh: {} MiB\n", usage.ru_maxrss / 1024);
 }
 
-class Comparison {
+class BuildComparison {
  public:
-  explicit Comparison(const Options& options) : options_(options), csv_(options.csv, build_csv_columns()) {}
+  explicit BuildComparison(const BuildOptions& options) : options_(options), csv_(options.csv, build_csv_columns()) {}
 
   void run() {
     std::vector<std::string> names;
@@ -146,7 +146,7 @@ class Comparison {
     }
   }
 
-  Options options_;
+  BuildOptions options_;
   CsvFile csv_;
   const Columns columns_ = build_table_columns();
   std::vector<BuildCell> cells_;
@@ -161,7 +161,7 @@ std::vector<int> default_thread_counts() {
 }  // namespace
 
 Command add_build_command(CLI::App& program) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<BuildOptions>();
   options->scenes.width = 128, options->scenes.height = 96;
   options->thread_counts = default_thread_counts();
   CLI::App* app =
@@ -180,7 +180,7 @@ Command add_build_command(CLI::App& program) {
   add_rounds_option(*app, options->round_count);
   add_csv_option(*app, options->csv);
   return {app, [options] {
-            Comparison(*options).run();
+            BuildComparison(*options).run();
             return 0;
           }};
 }

@@ -21,7 +21,7 @@
 namespace lkao::bench {
 namespace {
 
-struct Options {
+struct LodOptions {
   StudySceneOptions scenes = {.views = {}, .meshes = {}, .names = {}, .width = 192, .height = 144};
   std::vector<std::string> methods;  // the traversal first: it says what is exact
   method::Settings settings;
@@ -78,7 +78,7 @@ struct OpenMethod {
   std::unique_ptr<method::Method> method;
 };
 
-std::vector<OpenMethod> open_methods(const Options& options) {
+std::vector<OpenMethod> open_methods(const LodOptions& options) {
   std::vector<OpenMethod> methods;
   for (const std::string& word : options.methods) {
     methods.push_back({word, method::method_named(word).open(options.settings)});
@@ -94,7 +94,7 @@ std::string devices_of(const std::vector<OpenMethod>& methods) {
 
 class Studies {
  public:
-  explicit Studies(const Options& options)
+  explicit Studies(const LodOptions& options)
       : options_(options),
         names_(study_scene_names(options.scenes)),
         methods_(open_methods(options)),
@@ -158,7 +158,7 @@ class Studies {
     std::fflush(stdout);
   }
 
-  Options options_;
+  LodOptions options_;
   std::vector<std::string> names_;
   std::vector<OpenMethod> methods_;
   CsvFile csv_;
@@ -168,7 +168,7 @@ class Studies {
 }  // namespace
 
 Command add_lod_command(CLI::App& program) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<LodOptions>();
   const std::vector<const method::MethodKind*> kinds = kinds_with_levels();
   for (const method::MethodKind* kind : kinds) options->methods.emplace_back(kind->word);
   CLI::App* app = program.add_subcommand("lod", "Levels of detail: time saved and error added, at the large radius.");

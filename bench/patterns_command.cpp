@@ -23,7 +23,7 @@
 namespace lkao::bench {
 namespace {
 
-struct Options {
+struct PatternsOptions {
   StudySceneOptions scenes;
   PatternStudyOptions study;
   int receiver_count = 2048;
@@ -48,7 +48,7 @@ std::vector<Receiver> choose_pairs(const std::vector<Receiver>& pixels, int rece
 }
 
 // Writes each scene's errors as they come.
-std::vector<PatternRow> measure(const Options& options) {
+std::vector<PatternRow> measure(const PatternsOptions& options) {
   CsvFile csv(options.csv, patterns_csv_columns());
   std::vector<PatternRow> rows;
   const std::vector<PatternCase> cases = study_cases();
@@ -64,7 +64,7 @@ std::vector<PatternRow> measure(const Options& options) {
   return rows;
 }
 
-void run(Options& options) {
+void run(PatternsOptions& options) {
   if (!options.image.empty()) return image::write_image(options.image, pattern_image(options.image_scene));
   if (options.scenes.views.empty() && options.scenes.names.empty()) options.scenes.names = kBuiltIn;
   print_pattern_tables(measure(options));
@@ -73,7 +73,7 @@ void run(Options& options) {
 }  // namespace
 
 Command add_patterns_command(CLI::App& program) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<PatternsOptions>();
   options->scenes.width = 1024;
   options->scenes.height = 768;
   CLI::App* app =

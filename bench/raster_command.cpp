@@ -71,7 +71,7 @@ std::vector<FrameSetup> back_ends() {
 constexpr method::Word<std::vector<FrameSetup> (*)()> kStudies[] = {
     {"methods", methods}, {"culls", culls}, {"shapes", shapes}, {"back_ends", back_ends}};
 
-struct Options {
+struct RasterOptions {
   StudySceneOptions scenes = {.views = {}, .meshes = {}, .names = {}, .width = 512, .height = 384};
   FrameOptions frames;
   method::Settings settings;  // the device
@@ -82,7 +82,7 @@ struct Options {
 
 class Studies {
  public:
-  explicit Studies(const Options& options)
+  explicit Studies(const RasterOptions& options)
       : options_(options),
         names_(study_scene_names(options.scenes)),
         rasterizer_(method::prepare_device(options.settings)),
@@ -123,14 +123,14 @@ class Studies {
     std::fflush(stdout);
   }
 
-  Options options_;
+  RasterOptions options_;
   std::vector<std::string> names_;
   raster::Rasterizer rasterizer_;
   CsvFile csv_;
   const Columns columns_ = raster_table_columns();
 };
 
-void check(const Options& options) {
+void check(const RasterOptions& options) {
   if (!is_valid_ray_count(options.frames.ray_count)) {
     throw std::invalid_argument(fmt::format("--samples must be a multiple of {} from {} to {}, not {}", kRayCountStep,
                                             kMinRayCount, kMaxRayCount, options.frames.ray_count));
@@ -140,7 +140,7 @@ void check(const Options& options) {
 }  // namespace
 
 Command add_raster_command(CLI::App& program) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<RasterOptions>();
   CLI::App* app = program.add_subcommand("raster", "The rasterised method: time and errors against the CPU's query.");
   add_scene_options(*app, options->scenes);
   app->add_option("--radii", options->radii, "AO radii (default: each scene's own)")

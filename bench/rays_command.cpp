@@ -26,7 +26,7 @@
 namespace lkao::bench {
 namespace {
 
-struct Options {
+struct RaysOptions {
   StudySceneOptions scenes = {.views = {}, .meshes = {}, .names = {}, .width = 1024, .height = 768};
   std::vector<float> radii;  // empty: compared_radii
   std::vector<int> ray_counts = {128, 1024};
@@ -36,9 +36,9 @@ struct Options {
   std::string csv;
 };
 
-class Comparison {
+class RaysComparison {
  public:
-  explicit Comparison(const Options& options)
+  explicit RaysComparison(const RaysOptions& options)
       : options_(options),
         names_(study_scene_names(options.scenes)),
         isas_(compared_isas(options.isas)),
@@ -84,7 +84,7 @@ class Comparison {
     std::fflush(stdout);
   }
 
-  Options options_;
+  RaysOptions options_;
   std::vector<std::string> names_;
   std::vector<ComparedIsa> isas_;
   CsvFile csv_;
@@ -102,7 +102,7 @@ void remove_repeats(std::vector<Value>& values) {
   values = std::move(kept);
 }
 
-void check(Options& options) {
+void check(RaysOptions& options) {
   for (const int ray_count : options.ray_counts) {
     if (is_valid_ray_count(ray_count)) continue;
     throw std::invalid_argument(fmt::format("--samples must be multiples of {} from {} to {}, not {}", kRayCountStep,
@@ -124,7 +124,7 @@ void check(Options& options) {
 }  // namespace
 
 Command add_rays_command(CLI::App& program) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<RaysOptions>();
   CLI::App* app = program.add_subcommand(
       "rays", "Millions of rays a second, lkao against Embree. One thread: by its CPU time; several: by wall time.");
   add_scene_options(*app, options->scenes);
@@ -143,7 +143,7 @@ Command add_rays_command(CLI::App& program) {
   add_csv_option(*app, options->csv);
   return {app, [options] {
             check(*options);
-            Comparison(*options).run();
+            RaysComparison(*options).run();
             return 0;
           }};
 }

@@ -14,11 +14,11 @@
 namespace lkao::bench {
 
 Command add_spread_command(CLI::App& program) {
-  struct Options {
+  struct SpreadOptions {
     std::vector<std::string> files;
     std::string method = kSimdMethod;
   };
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<SpreadOptions>();
   CLI::App* app = program.add_subcommand("spread", "How far separate runs of rays lie apart, from their CSV files.");
   app->add_option("files", options->files, "of runs that measured the same cells")->required();
   app->add_option("--method", options->method, "whose ratios")->capture_default_str();

@@ -25,7 +25,7 @@
 namespace lkao::bench {
 namespace {
 
-struct Options {
+struct TablesOptions {
   StudySceneOptions scenes;
   std::vector<int> resolutions = {32, 64, 128, 256};
   std::vector<int> ray_counts = {64, 128, 256, 512, 1024};
@@ -75,7 +75,7 @@ double expected_mib(const SamplePattern& pattern, const PlaneMaskTableOptions& o
 
 class Study {
  public:
-  explicit Study(const Options& options)
+  explicit Study(const TablesOptions& options)
       : options_(options),
         csv_(options.csv, tables_csv_columns()),
         scenes_(load_study_scenes(options.scenes)),
@@ -162,7 +162,7 @@ class Study {
     csv_.write(measurement);
   }
 
-  Options options_;
+  TablesOptions options_;
   CsvFile csv_;
   std::vector<StudyScene> scenes_;
   std::vector<Case> cases_;
@@ -174,7 +174,7 @@ class Study {
 }  // namespace
 
 Command add_tables_command(CLI::App& program) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<TablesOptions>();
   CLI::App* app = program.add_subcommand("tables", "Error, size and speed of plane mask tables.");
   add_scene_options(*app, options->scenes);
   add_size_options(*app, options->scenes);
