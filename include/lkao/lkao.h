@@ -8,7 +8,8 @@
 // Words:   receiver (the point asked about), occluder (a triangle), AO radius (the longest ray), sample
 //          pattern (the rays around +z), ray i = direction x length, occlusion mask (bit i: ray i is blocked).
 //          `occlusion` is 1 where everything is blocked; visibility = 1 - occlusion.
-// Spaces:  positions, normals and results are in world space, right-handed; patterns are around +z.
+// Spaces:  positions, normals and results are in world space, right-handed; patterns are around +z. Scenes far from
+//          zero: positions in double, less an origin near them (PositionView, OccluderBvh::origin).
 // Units:   any, the same for positions and radius; angles are in radians.
 // Threads: finished objects are immutable and shared freely; batches and builds run in parallel with oneTBB in
 //          the caller's arena. Results do not depend on the number of threads.

@@ -31,12 +31,12 @@ class Occluders {
   // None: nothing is blocked.
   Occluders();
   // Copies the mesh, in arrays of any layout, to the GPU; front faces are counter-clockwise. Triangles without area or
-  // with a coordinate that is not finite or beyond 1e18 block nothing. `ranges`, where it is not empty, has [r_min,
-  // r_max] for each triangle: it blocks a ray only where the distance from the receiver is in that range, as one of
-  // several levels of detail (OccluderLevel). Throws std::invalid_argument where an index is outside `positions`, or a
-  // range is not 0 <= r_min < r_max, std::runtime_error where there are more positions than GL_MAX_TEXTURE_BUFFER_SIZE.
-  // Takes 12 bytes a position and 12 bytes a triangle, 20 with ranges; each pass that draws it takes 40 bytes a
-  // triangle.
+  // with a coordinate that is not finite or beyond 1e18 block nothing. Where positions are less an origin
+  // (PositionView), the camera must be too. `ranges`, where it is not empty, has [r_min, r_max] for each triangle: it
+  // blocks a ray only where the distance from the receiver is in that range, as one of several levels of detail
+  // (OccluderLevel). Throws std::invalid_argument where an index is outside `positions`, or a range is not 0 <= r_min <
+  // r_max, std::runtime_error where there are more positions than GL_MAX_TEXTURE_BUFFER_SIZE. Takes 12 bytes a position
+  // and 12 bytes a triangle, 20 with ranges; each pass that draws it takes 40 bytes a triangle.
   Occluders(const PositionView& positions, const IndexView& triangles, std::span<const glm::vec2> ranges = {});
   ~Occluders();
   Occluders(Occluders&&) noexcept;
