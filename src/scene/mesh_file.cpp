@@ -44,9 +44,8 @@ FileMesh read_by_extension(const std::string& path) {
   if (bytes.empty()) throw std::runtime_error("the file is empty");
   if (extension == "ply") return read_ply(bytes);
   if (extension == "off") return read_off(bytes);
-  if (extension == "obj" || extension == "stl" || extension == "gltf" || extension == "glb") {
-    return read_through_assimp(path, bytes, extension);
-  }
+  if (extension == "gltf" || extension == "glb") return read_gltf(path, bytes);
+  if (extension == "obj" || extension == "stl") return read_through_assimp(path, bytes, extension);
   throw std::runtime_error("not a supported mesh type (known: .obj .ply .stl .off .gltf .glb)");
 }
 

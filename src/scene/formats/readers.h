@@ -16,8 +16,11 @@ FileMesh read_ply(std::string_view bytes);
 // OFF, with or without normals, colours and texture coordinates; comments anywhere.
 FileMesh read_off(std::string_view bytes);
 
-// OBJ, STL, glTF and GLB through assimp. `bytes` is the content of the file, to check that what assimp hands over is
-// all that is in it. `extension` is in lower case, without the dot.
+// glTF 2.0 and GLB, whatever the file's name ends in. Buffers in files of their own are found beside `path`.
+FileMesh read_gltf(const std::string& path, std::string_view bytes);
+
+// OBJ and STL through assimp. `bytes` is the content of the file, to check that what assimp hands over is all that is
+// in it. `extension` is in lower case, without the dot.
 FileMesh read_through_assimp(const std::string& path, std::string_view bytes, const std::string& extension);
 
 }  // namespace lkao::scene

@@ -1,0 +1,137 @@
+#include "scene/formats/gltf/scene_reader.h"
+
+#include <algorithm>
+#include <limits>
+#include <stdexcept>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "scene/formats/gltf/instances.h"
+#include "scene/formats/gltf/skin.h"
+#include "scene/formats/gltf/transform.h"
+#include "scene/mesh.h"
+
+namespace lkao::scene::gltf {
+
+SceneReader::SceneReader(const Value& root, Buffers& buffers)
+    : root_(root), accessors_(root, buffers), nodes_(root), shapes_(accessors_, buffers) {}
+
+FileMesh SceneReader::read() && {
+  find_showings();
+  read_shapes();
+  reserve();
+  for (const Showing& showing : showings_) show(showing);
+  if (mesh_.normals.empty()) mesh_.normal_corners.clear();
+  mesh_.contents.hidden_count = nodes_.hidden_count();
+  cut_outs_.report(mesh_.contents);
+  return std::move(mesh_);
+}
+
+void SceneReader::find_showings() {
+  for (const std::size_t number : nodes_.shown()) {
+    const Value node = nodes_.node(number);
+    const std::optional<Value> mesh = node.find("mesh");
+    if (!mesh) continue;
+    item_of_list(root_, "meshes", *mesh);
+    showings_.push_back({number, mesh->count(), read_instances(node, accessors_)});
+    Use& use = uses_[mesh->count()];
+    ++use.count;
+    use.is_skinned = use.is_skinned || node.find("skin").has_value();
+    ++mesh_.contents.node_count;
+    mesh_.contents.instance_count += showings_.back().instances.size();
+  }
+}
+
+void SceneReader::read_shapes() {
+  for (auto& [mesh, use] : uses_) use.shape = shapes_.read(root_.at("meshes").element(mesh), {}, use.is_skinned);
+}
+
+// All at once: counts beyond reason end here, before memory is filled.
+void SceneReader::reserve() {
+  constexpr double kMost = std::numeric_limits<std::uint32_t>::max();
+  double vertex_count = 0;
+  double triangle_count = 0;
+  for (const Showing& showing : showings_) {
+    const Shape& shape = uses_.at(showing.mesh).shape;
+    const auto instance_count = static_cast<double>(showing.instances.size());
+    vertex_count += instance_count * static_cast<double>(shape.vertex_count());
+    triangle_count += instance_count * static_cast<double>(shape.triangle_count());
+  }
+  if (vertex_count >= kMost || triangle_count >= kMost) {
+    throw std::runtime_error(fmt::format("with all instances it has {:.0f} vertices and {:.0f} triangles, over 2^32",
+                                         vertex_count, triangle_count));
+  }
+  mesh_.positions.reserve(static_cast<std::size_t>(vertex_count));
+  mesh_.triangles.reserve(static_cast<std::size_t>(triangle_count));
+  mesh_.normal_corners.reserve(static_cast<std::size_t>(triangle_count));
+}
+
+void SceneReader::show(const Showing& showing) {
+  Use& use = uses_.at(showing.mesh);
+  if (const std::optional<Value> weights = nodes_.node(showing.node).find("weights")) {
+    add(showing, shapes_.read(root_.at("meshes").element(showing.mesh), weights, use.is_skinned));
+  } else {
+    add(showing, use.shape);
+  }
+  if (--use.count == 0) use.shape = {};
+}
+
+void SceneReader::add(const Showing& showing, const Shape& shape) {
+  const std::optional<Value> index = nodes_.node(showing.node).find("skin");
+  std::optional<Skin> skin;
+  if (index) skin.emplace(root_, item_of_list(root_, "skins", *index), nodes_, accessors_);
+  for (const glm::dmat4& instance : showing.instances) {
+    const Transform transform(nodes_.to_world(showing.node) * instance);
+    add_instance(shape, [&](const Vertices& vertices, std::size_t i) {
+      // The joints alone place a skinned mesh, wherever its own node is.
+      return skin && !vertices.influences.empty() ? Transform(skin->matrix_of(vertices, i)) : transform;
+    });
+  }
+}
+
+// transform_of(vertices, i): what moves a vertex into the world.
+template <typename TransformOf>
+void SceneReader::add_instance(const Shape& shape, const TransformOf& transform_of) {
+  std::vector<Block> blocks;
+  for (const Vertices& vertices : shape.vertices) blocks.push_back(add_vertices(vertices, transform_of));
+  for (const Part& part : shape.parts) {
+    add_triangles(part, blocks[part.vertices]);
+    count_cut_outs(part);
+    mesh_.contents.uv_set_count = std::max(mesh_.contents.uv_set_count, part.uv_set_count);
+  }
+}
+
+template <typename TransformOf>
+SceneReader::Block SceneReader::add_vertices(const Vertices& vertices, const TransformOf& transform_of) {
+  Block block{static_cast<std::uint32_t>(mesh_.positions.size()), kNoNormal, {}};
+  if (!vertices.normals.empty()) block.first_normal = static_cast<std::uint32_t>(mesh_.normals.size());
+  for (std::size_t i = 0; i < vertices.positions.size(); ++i) {
+    const Transform transform = transform_of(vertices, i);
+    mesh_.positions.push_back(transform.position(vertices.positions[i]));
+    if (!vertices.normals.empty()) mesh_.normals.push_back(transform.normal(vertices.normals[i]));
+    block.is_mirrored.push_back(transform.is_mirroring());
+  }
+  return block;
+}
+
+void SceneReader::add_triangles(const Part& part, const Block& block) {
+  const bool has_normals = block.first_normal != kNoNormal;
+  for (glm::uvec3 corners : part.triangles) {
+    // Mirrored, a triangle shows its back; the other order of corners turns it round.
+    if (block.is_mirrored[corners.x]) std::swap(corners.y, corners.z);
+    mesh_.triangles.push_back(corners + block.first);
+    mesh_.normal_corners.push_back(has_normals ? corners + block.first_normal : glm::uvec3(kNoNormal));
+  }
+}
+
+void SceneReader::count_cut_outs(const Part& part) {
+  if (!part.material || *part.material >= size_of_list(root_, "materials")) return;
+  const Value material = root_.at("materials").element(*part.material);
+  const std::optional<Value> mode = material.find("alphaMode");
+  if (!mode || (mode->text() != "MASK" && mode->text() != "BLEND")) return;
+  const std::optional<Value> name = material.find("name");
+  cut_outs_.add(name ? in_quotes(name->text()) : std::to_string(*part.material), part.triangles.size());
+}
+
+}  // namespace lkao::scene::gltf

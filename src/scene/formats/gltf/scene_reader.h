@@ -1,0 +1,71 @@
+// The scene of a glTF as one mesh.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include <glm/mat4x4.hpp>
+
+#include "scene/formats/cut_outs.h"
+#include "scene/formats/file_mesh.h"
+#include "scene/formats/gltf/accessors.h"
+#include "scene/formats/gltf/nodes.h"
+#include "scene/formats/gltf/shape.h"
+
+namespace lkao::scene::gltf {
+
+class SceneReader {
+ public:
+  SceneReader(const Value& root, Buffers& buffers);
+
+  // Throws std::runtime_error with the fault, std::bad_alloc where the memory is not enough.
+  FileMesh read() &&;
+
+ private:
+  // A mesh at a node.
+  struct Showing {
+    std::size_t node;
+    std::size_t mesh;
+    std::vector<glm::dmat4> instances;
+  };
+
+  // How often a mesh is still to be shown, and what it is with its own morph weights.
+  struct Use {
+    Shape shape;
+    std::size_t count = 0;
+    bool is_skinned = false;
+  };
+
+  // Vertices of a shape where they now are.
+  struct Block {
+    std::uint32_t first;
+    std::uint32_t first_normal;     // kNoNormal where they have none
+    std::vector<bool> is_mirrored;  // one a vertex
+  };
+
+  void find_showings();
+  void read_shapes();
+  void reserve();
+  void show(const Showing& showing);
+  void add(const Showing& showing, const Shape& shape);
+  template <typename TransformOf>
+  void add_instance(const Shape& shape, const TransformOf& transform_of);
+  template <typename TransformOf>
+  Block add_vertices(const Vertices& vertices, const TransformOf& transform_of);
+  void add_triangles(const Part& part, const Block& block);
+  void count_cut_outs(const Part& part);
+
+  Value root_;
+  Accessors accessors_;
+  Nodes nodes_;
+  ShapeReader shapes_;
+  std::vector<Showing> showings_;
+  std::map<std::size_t, Use> uses_;  // by mesh
+  CutOuts cut_outs_;
+  FileMesh mesh_;
+};
+
+}  // namespace lkao::scene::gltf
