@@ -1,4 +1,4 @@
-// OBJ, STL, glTF and GLB through assimp. No post-processing step of assimp's is used: its triangulation, merging and
+// OBJ and STL through assimp. No post-processing step of assimp's is used: its triangulation, merging and
 // flattening of nodes may drop triangles. Polygons are fanned, nodes walked and vertices joined here.
 #include <algorithm>
 #include <bit>
@@ -121,7 +121,7 @@ std::size_t count_faces(const aiScene& scene) {
 }  // namespace
 
 FileMesh read_through_assimp(const std::string& path, std::string_view bytes, const std::string& extension) {
-  const std::optional<std::size_t> promised_count = check_file(path, bytes, extension);
+  const std::optional<std::size_t> promised_count = check_file(bytes, extension);
   Assimp::Importer importer;
   const aiScene* scene = importer.ReadFile(path, 0);
   if (scene == nullptr) throw std::runtime_error(one_line(importer.GetErrorString()));

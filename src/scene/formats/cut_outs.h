@@ -1,24 +1,20 @@
-// Triangles of materials that have holes by transparency.
+// Materials with holes by transparency, which occlude as if they were whole.
 #pragma once
 
 #include <cstddef>
-#include <map>
 #include <string>
+#include <vector>
 
 #include "scene/contents.h"
 
 namespace lkao::scene {
 
-class CutOuts {
- public:
-  // `material` as a remark shall call it.
-  void add(const std::string& material, std::size_t triangle_count) { counts_[material] += triangle_count; }
-
-  // Adds the count, and a line for each of the materials with most triangles and one for all others.
-  void report(Contents& contents) const;
-
- private:
-  std::map<std::string, std::size_t> counts_;
+struct CutOut {
+  std::string material;
+  std::size_t triangle_count = 0;
 };
+
+// Adds them to the count and the remarks: a line for each of the largest few, one for all others.
+void add_cut_outs(std::vector<CutOut> cut_outs, Contents& contents);
 
 }  // namespace lkao::scene

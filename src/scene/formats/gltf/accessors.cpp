@@ -68,6 +68,10 @@ std::vector<Element> Accessor::read() const {
   return elements;
 }
 
+std::vector<glm::dvec3> Accessor::vec3s() const { return read<glm::dvec3>(); }
+std::vector<glm::dvec4> Accessor::vec4s() const { return read<glm::dvec4>(); }
+std::vector<glm::dmat4> Accessor::mat4s() const { return read<glm::dmat4>(); }
+
 std::vector<std::uint32_t> Accessor::indices() const {
   if (!is_index_type(type_)) {
     throw std::runtime_error(fmt::format("{}: indices of component type {}", place_, static_cast<int>(type_)));

@@ -23,9 +23,9 @@ class Accessor {
   std::size_t count() const { return count_; }
 
   // The accessor must have been opened as "VEC3", "VEC4", "MAT4" or "SCALAR".
-  std::vector<glm::dvec3> vec3s() const { return read<glm::dvec3>(); }
-  std::vector<glm::dvec4> vec4s() const { return read<glm::dvec4>(); }
-  std::vector<glm::dmat4> mat4s() const { return read<glm::dmat4>(); }
+  std::vector<glm::dvec3> vec3s() const;
+  std::vector<glm::dvec4> vec4s() const;
+  std::vector<glm::dmat4> mat4s() const;
   std::vector<std::uint32_t> indices() const;
 
  private:

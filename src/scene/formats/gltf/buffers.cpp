@@ -1,8 +1,6 @@
 #include "scene/formats/gltf/buffers.h"
 
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -14,16 +12,17 @@ namespace lkao::scene::gltf {
 
 namespace {
 
-// Files only: a device has no end.
-std::string read_file(const std::string& path, const std::string& uri) {
+// Files only: a device may have no end.
+FileBytes read_buffer(const std::string& path, const std::string& uri) {
   std::error_code error;
-  if (!std::filesystem::is_regular_file(path, error)) {
-    throw std::runtime_error(fmt::format("its buffer {}: no such file", in_quotes(uri)));
+  try {
+    if (std::filesystem::exists(path, error) && !std::filesystem::is_regular_file(path, error)) {
+      throw std::runtime_error("is no file");
+    }
+    return read_file(path);
+  } catch (const std::runtime_error& fault) {
+    throw std::runtime_error(fmt::format("its buffer {}: {}", in_quotes(uri), fault.what()));
   }
-  std::ifstream in(path, std::ios::binary);
-  std::string bytes(std::istreambuf_iterator<char>(in), {});
-  if (!in || in.bad()) throw std::runtime_error(fmt::format("its buffer {} cannot be read", in_quotes(uri)));
-  return bytes;
 }
 
 }  // namespace
@@ -80,10 +79,10 @@ std::string_view Buffers::content_of(const Value& buffer, std::size_t number) {
   const std::string path = resolve_uri(path_, uri->text());
   const auto [entry, is_new] = files_.try_emplace(path);
   if (is_new) {
-    entry->second = read_file(path, uri->text());
-    byte_count_ += entry->second.size();
+    entry->second = read_buffer(path, uri->text());
+    byte_count_ += entry->second.size;
   }
-  return entry->second;
+  return entry->second.view();
 }
 
 }  // namespace lkao::scene::gltf

@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "scene/formats/file_bytes.h"
 #include "scene/formats/gltf/value.h"
 
 namespace lkao::scene::gltf {
@@ -39,7 +40,7 @@ class Buffers {
   std::optional<std::string_view> binary_;
   std::string path_;
   std::size_t byte_count_;
-  std::map<std::string, std::string> files_;         // by path
+  std::map<std::string, FileBytes> files_;           // by path
   std::map<std::size_t, std::string> data_;          // of data: URIs, by buffer
   std::map<std::size_t, std::string> decompressed_;  // by buffer view
 };

@@ -24,7 +24,9 @@ FileMesh SceneReader::read() && {
   for (const Showing& showing : showings_) show(showing);
   if (mesh_.normals.empty()) mesh_.normal_corners.clear();
   mesh_.contents.hidden_count = nodes_.hidden_count();
-  cut_outs_.report(mesh_.contents);
+  std::vector<CutOut> cut_outs;
+  for (const auto& [material, cut_out] : cut_outs_) cut_outs.push_back(cut_out);
+  add_cut_outs(std::move(cut_outs), mesh_.contents);
   return std::move(mesh_);
 }
 
@@ -131,7 +133,9 @@ void SceneReader::count_cut_outs(const Part& part) {
   const std::optional<Value> mode = material.find("alphaMode");
   if (!mode || (mode->text() != "MASK" && mode->text() != "BLEND")) return;
   const std::optional<Value> name = material.find("name");
-  cut_outs_.add(name ? in_quotes(name->text()) : std::to_string(*part.material), part.triangles.size());
+  CutOut& cut_out = cut_outs_[*part.material];
+  cut_out.material = name ? printable(name->text()) : material.place();
+  cut_out.triangle_count += part.triangles.size();
 }
 
 }  // namespace lkao::scene::gltf

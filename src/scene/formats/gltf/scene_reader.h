@@ -63,8 +63,8 @@ class SceneReader {
   Nodes nodes_;
   ShapeReader shapes_;
   std::vector<Showing> showings_;
-  std::map<std::size_t, Use> uses_;  // by mesh
-  CutOuts cut_outs_;
+  std::map<std::size_t, Use> uses_;         // by mesh
+  std::map<std::size_t, CutOut> cut_outs_;  // by material
   FileMesh mesh_;
 };
 

@@ -104,12 +104,14 @@ std::string shortened(std::string_view text, std::size_t most) {
   return std::string(text.substr(0, most)) + "...";
 }
 
-std::string in_quotes(std::string_view text) {
+std::string printable(std::string_view text) {
   std::string result = shortened(text, 60);
   for (char& c : result) {
     if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = ' ';
   }
-  return '"' + result + '"';
+  return result;
 }
+
+std::string in_quotes(std::string_view text) { return '"' + printable(text) + '"'; }
 
 }  // namespace lkao::scene::gltf
