@@ -13,7 +13,7 @@ namespace lkao::scene::gltf {
 
 namespace {
 
-constexpr auto kNone = static_cast<std::size_t>(-1);
+constexpr auto kNoParent = static_cast<std::size_t>(-1);
 
 template <typename Vector>
 Vector vector_or(const Value& node, const char* key, Vector vector) {
@@ -51,7 +51,7 @@ glm::dmat4 rotation_of(const glm::dvec4& quaternion) {
 Nodes::Nodes(const Value& root)
     : root_(root),
       children_(size_of_list(root, "nodes")),
-      parents_(children_.size(), kNone),
+      parents_(children_.size(), kNoParent),
       to_world_(children_.size()),
       is_hidden_(children_.size()) {
   read_children();
@@ -65,7 +65,7 @@ void Nodes::read_children() {
     for (std::size_t k = 0; list && k < list->size(); ++k) {
       item_of_list(root_, "nodes", list->element(k));
       const std::size_t child = list->element(k).count();
-      if (parents_[child] != kNone) {
+      if (parents_[child] != kNoParent) {
         throw std::runtime_error(
             fmt::format("nodes[{}] is a child of nodes[{}] and of nodes[{}]", child, parents_[child], i));
       }
@@ -78,7 +78,7 @@ void Nodes::read_children() {
 std::vector<std::size_t> Nodes::find_roots() const {
   std::vector<std::size_t> roots;
   for (std::size_t i = 0; i < parents_.size(); ++i) {
-    if (parents_[i] == kNone) roots.push_back(i);
+    if (parents_[i] == kNoParent) roots.push_back(i);
   }
   return roots;
 }
@@ -92,8 +92,8 @@ void Nodes::place(const std::vector<std::size_t>& roots) {
     waiting.pop_back();
     const Value json = node(i);
     const std::size_t parent = parents_[i];
-    to_world_[i] = parent == kNone ? to_parent(json) : to_world_[parent] * to_parent(json);
-    is_hidden_[i] = hides_itself(json) || (parent != kNone && is_hidden_[parent]);
+    to_world_[i] = parent == kNoParent ? to_parent(json) : to_world_[parent] * to_parent(json);
+    is_hidden_[i] = hides_itself(json) || (parent != kNoParent && is_hidden_[parent]);
     is_placed[i] = true;
     waiting.insert(waiting.end(), children_[i].begin(), children_[i].end());
   }
