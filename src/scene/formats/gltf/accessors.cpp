@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 #include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 #include <glm/gtc/type_ptr.hpp>
@@ -55,9 +56,11 @@ template <typename Number, typename... Arguments>
 void Accessor::read_into(Number* out, Arguments... arguments) const {
   if (rows_) decode(*rows_, type_, arguments..., out);
   if (!sparse_) return;
-  const std::size_t size = size_of(type_) * width_;
-  for (std::size_t i = 0; i < sparse_->elements.size(); ++i) {
-    decode({sparse_->values + i * size, size, 1, width_}, type_, arguments..., out + sparse_->elements[i] * width_);
+  Rows value = sparse_->values;
+  value.count = 1;
+  for (const std::uint32_t element : sparse_->elements) {
+    decode(value, type_, arguments..., out + element * width_);
+    value.data += value.stride;
   }
 }
 
@@ -97,7 +100,7 @@ Accessor Accessors::open(const Value& index, const char* shape, std::optional<st
     throw std::runtime_error(
         fmt::format("{} has {} elements, but {} needs {}", object.place(), accessor.count_, index.place(), *count));
   }
-  accessor.rows_ = find_rows(object, accessor, accessor.count_);
+  if (object.find("bufferView")) accessor.rows_ = rows_of_values(object, accessor, accessor.count_);
   if (const std::optional<Value> sparse = object.find("sparse")) accessor.sparse_ = open_sparse(*sparse, accessor);
   if (!accessor.rows_ && !count && accessor.count_ > buffers_->byte_count()) {
     throw std::runtime_error(fmt::format("{}: {} elements without a bufferView, in a file of {} bytes", object.place(),
@@ -111,10 +114,8 @@ bool Accessors::is_normalized(const Value& index) const {
   return normalized && normalized->boolean();
 }
 
-std::optional<Rows> Accessors::find_rows(const Value& place, const Accessor& accessor, std::size_t count) {
-  const std::optional<Value> view = place.find("bufferView");
-  if (!view) return std::nullopt;
-  return rows_of(place.place(), buffers_->view(*view), count_or(place, "byteOffset", 0), count,
+Rows Accessors::rows_of_values(const Value& place, const Accessor& accessor, std::size_t count) {
+  return rows_of(place.place(), buffers_->view(place.at("bufferView")), count_or(place, "byteOffset", 0), count,
                  size_of(accessor.type_) * accessor.width_, accessor.width_);
 }
 
@@ -125,19 +126,14 @@ Accessor::Sparse Accessors::open_sparse(const Value& sparse, const Accessor& acc
   if (!is_index_type(type)) throw std::runtime_error(fmt::format("{}: a component type of no index", indices.place()));
   const Rows rows = rows_of(indices.place(), buffers_->view(indices.at("bufferView")),
                             count_or(indices, "byteOffset", 0), count, size_of(type), 1);
-  Accessor::Sparse result;
-  result.elements.resize(count);
-  decode(rows, type, result.elements.data());
-  for (const std::uint32_t element : result.elements) {
+  std::vector<std::uint32_t> elements(count);
+  decode(rows, type, elements.data());
+  for (const std::uint32_t element : elements) {
     if (element >= accessor.count_) {
       throw std::runtime_error(fmt::format("{} names element {} of {}", indices.place(), element, accessor.count_));
     }
   }
-  const Value values = sparse.at("values");
-  values.at("bufferView");
-  const std::optional<Rows> value_rows = find_rows(values, accessor, count);
-  result.values = value_rows->data;
-  return result;
+  return {std::move(elements), rows_of_values(sparse.at("values"), accessor, count)};
 }
 
 }  // namespace lkao::scene::gltf

@@ -33,7 +33,7 @@ class Accessor {
 
   struct Sparse {
     std::vector<std::uint32_t> elements;
-    const char* values;
+    Rows values;  // one for each of them
   };
 
   template <typename Element>
@@ -63,7 +63,7 @@ class Accessors {
   bool is_normalized(const Value& index) const;
 
  private:
-  std::optional<Rows> find_rows(const Value& place, const Accessor& accessor, std::size_t count);
+  Rows rows_of_values(const Value& place, const Accessor& accessor, std::size_t count);
   Accessor::Sparse open_sparse(const Value& sparse, const Accessor& accessor);
 
   Value root_;

@@ -14,7 +14,6 @@ namespace lkao::scene::gltf {
 
 namespace {
 
-// A message may have its C++ function in front.
 std::unique_ptr<draco::Mesh> decode_mesh(std::string_view bytes, const std::string& place) {
   draco::DecoderBuffer buffer;
   buffer.Init(bytes.data(), bytes.size());
@@ -73,6 +72,9 @@ void DracoMesh::read(std::size_t attribute, std::size_t width, bool is_normalize
                                             : nullptr;
   if (values == nullptr || values->num_components() != static_cast<int>(width)) {
     throw std::runtime_error(fmt::format("{}: Draco has no attribute {} of {} components", place_, attribute, width));
+  }
+  if (!values->is_mapping_identity() && values->indices_map_size() < vertex_count()) {
+    throw std::runtime_error(fmt::format("{}: Draco's attribute {} is not there for all vertices", place_, attribute));
   }
   const ComponentType type = component_type(values->data_type(), place_);
   const std::size_t byte_count = values->buffer()->data_size();

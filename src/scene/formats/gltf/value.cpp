@@ -11,7 +11,7 @@ namespace lkao::scene::gltf {
 using nlohmann::json;
 
 std::optional<Value> Value::find(const char* key) const {
-  if (!json_->is_object()) throw std::runtime_error(fmt::format("{} is {}, not an object", place_, excerpt()));
+  if (!json_->is_object()) throw std::runtime_error(fmt::format("{} is {}, not an object", subject(), excerpt()));
   const auto member = json_->find(key);
   if (member == json_->end()) return std::nullopt;
   return Value(*member, place_.empty() ? key : place_ + "." + key);
@@ -19,7 +19,7 @@ std::optional<Value> Value::find(const char* key) const {
 
 Value Value::at(const char* key) const {
   if (std::optional<Value> member = find(key)) return *std::move(member);
-  throw std::runtime_error(fmt::format("{} has no {}", place_.empty() ? "the document" : place_, in_quotes(key)));
+  throw std::runtime_error(fmt::format("{} has no {}", subject(), in_quotes(key)));
 }
 
 std::vector<std::string> Value::keys() const {
@@ -71,6 +71,8 @@ const std::string& Value::text() const {
   if (!json_->is_string()) throw std::runtime_error(fmt::format("{} is {}, not a text", place_, excerpt()));
   return json_->get_ref<const std::string&>();
 }
+
+std::string Value::subject() const { return place_.empty() ? "the document" : place_; }
 
 // Not json::dump, which recurses.
 std::string Value::excerpt() const {

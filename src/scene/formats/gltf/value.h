@@ -40,6 +40,8 @@ class Value {
   const std::string& text() const;
 
  private:
+  // What an error says of it: where it is, and what.
+  std::string subject() const;
   std::string excerpt() const;
 
   const nlohmann::json* json_;
