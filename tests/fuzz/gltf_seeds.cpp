@@ -1,5 +1,5 @@
 // Small glTF files with everything that the reader knows, changed at random places.
-#include <iterator>
+#include <algorithm>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -64,36 +64,38 @@ const std::vector<GltfBuilder>& whole_files() {
   return files;
 }
 
-// With a bar between them.
+// What may stand in the place of a number, and anywhere; each behind a bar.
+constexpr std::string_view kValues =
+    "|0|1|2|3|-1|7|255|65535|4294967295|9007199254740992|1e300|1e-300|0.5|null|true|\"\"|[]|{}|[0]|{\"mesh\":0}|5120|"
+    "5121|"
+    "5122|5123|5125|5126|\"VEC3\"|\"data:;base64,AAAA\"";
 constexpr std::string_view kPieces =
-    "|0|1|-1|7|255|65535|4294967295|9007199254740992|1e300|1e-300|0.5|null|true|\"\"|[]|{}|[0]|{\"mesh\":0}|5120|5121|"
-    "5122|5123|5125|5126|\"VEC3\"|\"VEC4\"|\"SCALAR\"|\"MAT4\"|\"bufferView\":0,|\"normalized\":true,|\"byteStride\":4,"
-    "|"
-    "\"byteOffset\":1,|\"count\":1,|,|:|%41|\"data:;base64,AAAA\"|[[[[";
+    "|\"bufferView\":0,|\"normalized\":true,|\"byteStride\":4,|\"byteOffset\":1,|\"count\":1,|,|:|%41|[[[[|{|}|0";
 
-std::string_view random_piece(lut::RandomStream& random) {
-  std::string_view pieces = kPieces;
-  pieces.remove_prefix(random.next_below(pieces.size()));
-  pieces.remove_prefix(pieces.find('|') == pieces.npos ? 0 : pieces.find('|') + 1);
+std::string_view random_piece(std::string_view pieces, lut::RandomStream& random) {
+  const std::size_t at = pieces.rfind('|', random.next_below(pieces.size()));
+  pieces.remove_prefix(at + 1);
   return pieces.substr(0, pieces.find('|'));
 }
 
-// Puts a piece in the place of a number, or of other characters.
 void change_text(std::string& text, lut::RandomStream& random) {
-  const std::size_t at = text.find_first_of("0123456789", random.next_below(text.size()));
-  if (at == text.npos || random.next_below(8) == 0) {
-    const std::size_t anywhere = random.next_below(text.size());
-    text.replace(anywhere, random.next_below(4), random_piece(random));
+  const std::size_t anywhere = random.next_below(text.size());
+  if (random.next_below(16) == 0) {
+    text.replace(anywhere, random.next_below(4), random_piece(kPieces, random));
     return;
   }
-  const std::size_t end = std::min(text.find_first_not_of("0123456789", at), text.size());
-  text.replace(at, end - at, random_piece(random));
+  constexpr std::string_view kDigits = "0123456789";
+  std::size_t at = text.find_first_of(":,[", anywhere);
+  while (at + 1 < text.size() && kDigits.find(text[at + 1]) == kDigits.npos) at = text.find_first_of(":,[", at + 1);
+  if (at >= text.size()) return;
+  const std::size_t end = std::min(text.find_first_not_of(kDigits, at + 1), text.size());
+  text.replace(at + 1, end - at - 1, random_piece(kValues, random));
 }
 
 void change_buffer(std::string& buffer, lut::RandomStream& random) {
   if (buffer.empty()) return;
   buffer[random.next_below(buffer.size())] = static_cast<char>(random.next_bits());
-  if (random.next_below(8) == 0) buffer.resize(random.next_below(buffer.size() + 8));
+  if (random.next_below(32) == 0) buffer.resize(random.next_below(buffer.size() + 8));
 }
 
 }  // namespace
