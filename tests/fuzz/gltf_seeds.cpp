@@ -66,9 +66,8 @@ const std::vector<GltfBuilder>& whole_files() {
 
 // What may stand in the place of a number, and anywhere; each behind a bar.
 constexpr std::string_view kValues =
-    "|0|1|2|3|-1|7|255|65535|4294967295|9007199254740992|1e300|1e-300|0.5|null|true|\"\"|[]|{}|[0]|{\"mesh\":0}|5120|"
-    "5121|"
-    "5122|5123|5125|5126|\"VEC3\"|\"data:;base64,AAAA\"";
+    "|0|1|2|3|-1|7|255|65535|4294967295|9007199254740992|1e300|1e-300|0.5|null|true|\"\"|[]|{}|[0]|{\"mesh\":0}"
+    "|5120|5121|5122|5123|5125|5126|\"VEC3\"|\"data:;base64,AAAA\"";
 constexpr std::string_view kPieces =
     "|\"bufferView\":0,|\"normalized\":true,|\"byteStride\":4,|\"byteOffset\":1,|\"count\":1,|,|:|%41|[[[[|{|}|0";
 

@@ -47,7 +47,7 @@ GltfBuilder gltf_square(const std::vector<std::uint16_t>& indices, int mode = 4)
 template <typename T>
 std::string bytes_of(const std::vector<T>& list) {
   std::string bytes(list.size() * sizeof(T), '\0');
-  std::memcpy(bytes.data(), list.data(), bytes.size());
+  if (!list.empty()) std::memcpy(bytes.data(), list.data(), bytes.size());
   return bytes;
 }
 
