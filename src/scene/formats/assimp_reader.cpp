@@ -1,9 +1,7 @@
-// OBJ, STL, glTF and GLB through assimp. No post-processing step of assimp's is used: its triangulation, merging and
+// glTF and GLB through assimp. No post-processing step of assimp's is used: its triangulation, merging and
 // flattening of nodes may drop triangles. Polygons are fanned, nodes walked and vertices joined here.
 #include <algorithm>
-#include <bit>
 #include <stdexcept>
-#include <unordered_map>
 
 #include <assimp/scene.h>
 #include <fmt/format.h>
@@ -13,38 +11,11 @@
 
 #include "scene/formats/file_check.h"
 #include "scene/formats/readers.h"
+#include "scene/formats/vertex_joiner.h"
 
 namespace lkao::scene {
 
 namespace {
-
-// Joins vertices at the same position, as these formats or their importers give every corner its own.
-class VertexJoiner {
- public:
-  explicit VertexJoiner(FileMesh& mesh) : mesh_(mesh) {}
-
-  std::uint32_t index_of(const glm::dvec3& position) {
-    const auto next = static_cast<std::uint32_t>(mesh_.positions.size());
-    // A NaN equals nothing, itself included: such a vertex always gets an index of its own. -0 equals +0.
-    const auto [entry, is_new] = indices_.try_emplace(position, next);
-    if (is_new) mesh_.positions.push_back(position);
-    return entry->second;
-  }
-
- private:
-  struct Hash {
-    std::size_t operator()(const glm::dvec3& p) const {
-      std::uint64_t hash = 0;
-      for (int axis = 0; axis < 3; ++axis) {
-        hash = (std::rotl(hash, 23) ^ std::bit_cast<std::uint64_t>(p[axis] + 0.0)) * 0x9e3779b97f4a7c15u;
-      }
-      return static_cast<std::size_t>(hash ^ (hash >> 29));
-    }
-  };
-
-  FileMesh& mesh_;
-  std::unordered_map<glm::dvec3, std::uint32_t, Hash> indices_;
-};
 
 glm::dmat4 to_glm(const aiMatrix4x4& m) {
   // assimp stores rows, glm columns.
@@ -53,7 +24,7 @@ glm::dmat4 to_glm(const aiMatrix4x4& m) {
 
 class SceneFlattener {
  public:
-  explicit SceneFlattener(const aiScene& scene) : scene_(scene), joiner_(mesh_) {}
+  explicit SceneFlattener(const aiScene& scene) : scene_(scene), joiner_(mesh_.positions) {}
 
   FileMesh flatten() && {
     if (scene_.mRootNode != nullptr) add_node(*scene_.mRootNode, glm::dmat4(1.0));
