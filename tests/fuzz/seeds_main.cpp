@@ -1,6 +1,6 @@
-// The fuzz target as an ordinary program, for every compiler: random bytes from seeds, or the files that are named.
+// A fuzz target as an ordinary program, for every compiler: inputs made of seeds, or the files that are named.
 //
-//   lkao_fuzz_query [--first SEED] [--seeds COUNT] [--seconds LIMIT] [FILE ...]
+//   lkao_fuzz_TARGET [--first SEED] [--seeds COUNT] [--seconds LIMIT] [FILE ...]
 #include <unistd.h>
 
 #include <chrono>
@@ -18,9 +18,7 @@
 
 #include <fmt/format.h>
 
-#include "lut/random.h"
-
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
+#include "fuzz/target.h"
 
 namespace lkao::tests {
 namespace {
@@ -28,6 +26,7 @@ namespace {
 using Bytes = std::vector<std::uint8_t>;
 
 struct Options {
+  std::string program;
   std::uint64_t first = 0;
   std::uint64_t seed_count = 3000;
   double seconds = 1e9;  // no more seeds are begun after that
@@ -38,7 +37,7 @@ struct Options {
 char current_input[4096] = "";
 
 extern "C" void name_current_input(int signal) {
-  const char intro[] = "fails: lkao_fuzz_query ";
+  const char intro[] = "fails: ";
   if (write(STDERR_FILENO, intro, sizeof intro - 1) >= 0 &&
       write(STDERR_FILENO, current_input, std::strlen(current_input)) >= 0 && write(STDERR_FILENO, "\n", 1) >= 0) {
   }
@@ -46,16 +45,9 @@ extern "C" void name_current_input(int signal) {
   std::raise(signal);
 }
 
-void run(const std::string& name, const Bytes& bytes) {
-  std::snprintf(current_input, sizeof current_input, "%s", name.c_str());
+void run(const Options& options, const std::string& name, const Bytes& bytes) {
+  std::snprintf(current_input, sizeof current_input, "%s %s", options.program.c_str(), name.c_str());
   LLVMFuzzerTestOneInput(bytes.data(), bytes.size());
-}
-
-Bytes bytes_of_seed(std::uint64_t seed) {
-  lut::RandomStream random(seed);
-  Bytes bytes(random.next_below(random.next_below(2) == 0 ? 200 : 1500));
-  for (std::uint8_t& byte : bytes) byte = static_cast<std::uint8_t>(random.next_bits());
-  return bytes;
 }
 
 Bytes bytes_of_file(const std::string& path) {
@@ -66,6 +58,7 @@ Bytes bytes_of_file(const std::string& path) {
 
 Options parse(int argc, char** argv) {
   Options options;
+  options.program = argv[0];
   for (int i = 1; i < argc; ++i) {
     const std::string word = argv[i];
     if (!word.starts_with("--")) {
@@ -93,15 +86,15 @@ void run_seeds(const Options& options) {
     const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
     if (time.count() > options.seconds) break;
     const std::uint64_t seed = options.first + done;
-    run(fmt::format("--first {} --seeds 1", seed), bytes_of_seed(seed));
+    run(options, fmt::format("--first {} --seeds 1", seed), bytes_of_seed(seed));
   }
-  fmt::print("{} seeds from {} on: no difference\n", done, options.first);
+  fmt::print("{} seeds from {} on: no fault\n", done, options.first);
 }
 
 int main_of(int argc, char** argv) {
   const Options options = parse(argc, argv);
   std::signal(SIGABRT, name_current_input);
-  for (const std::string& file : options.files) run(file, bytes_of_file(file));
+  for (const std::string& file : options.files) run(options, file, bytes_of_file(file));
   if (options.files.empty()) run_seeds(options);
   return 0;
 }
@@ -113,7 +106,7 @@ int main(int argc, char** argv) {
   try {
     return lkao::tests::main_of(argc, argv);
   } catch (const std::exception& error) {
-    fmt::print(stderr, "lkao_fuzz_query: {}\n", error.what());
+    fmt::print(stderr, "{}: {}\n", argv[0], error.what());
     return 2;
   }
 }
