@@ -44,7 +44,6 @@ endif()
 
 if(LKAO_BUILD_TOOLS)
   lkao_find(embree libembree-dev 3 CONFIG)
-  lkao_find(assimp libassimp-dev CONFIG)
   lkao_find(CLI11 libcli11-dev CONFIG)
   lkao_find(OpenMesh libopenmesh-dev CONFIG)
   # Debian 12's CMake package of OpenImageIO names a folder of OpenCV that is not installed with it; pkg-config works.

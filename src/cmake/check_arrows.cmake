@@ -9,7 +9,7 @@
 cmake_minimum_required(VERSION 3.25)
 
 # The first folders of internal includes, and the libraries that only some parts may know.
-set(prefixes lkao lut bvh query scene lod image reference raster method cli bench gpu assimp draco OpenMesh OpenImageIO
+set(prefixes lkao lut bvh query scene lod image reference raster method cli bench gpu draco OpenMesh OpenImageIO
              epoxy EGL tbb embree3)
 
 set(may_include_include/lkao lkao)
@@ -19,7 +19,7 @@ set(may_include_src/query lkao lut bvh query tbb)
 foreach(folder IN ITEMS gl frame mesh masks volumes screen)
   set(may_include_gpu/${folder} lkao lut gpu epoxy EGL)
 endforeach()
-set(may_include_src/scene lkao lut bvh query scene assimp draco tbb embree3)
+set(may_include_src/scene lkao lut bvh query scene draco tbb embree3)
 set(may_include_src/lod lkao lut scene lod OpenMesh tbb embree3)
 set(may_include_src/image lkao image OpenImageIO)
 set(may_include_src/reference lkao lut bvh query scene reference tbb embree3)

@@ -4,7 +4,9 @@
 #include <cctype>
 #include <cmath>
 #include <filesystem>
+#include <optional>
 #include <stdexcept>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -23,6 +25,19 @@ std::string extension_of(const std::string& path) {
   if (!extension.empty()) extension.erase(0, 1);
   for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   return extension;
+}
+
+// Nothing where there is no such file; names may have been written on Windows.
+std::optional<std::string> read_beside(const std::string& path, std::string name) {
+  std::replace(name.begin(), name.end(), '\\', '/');
+  const std::filesystem::path beside = std::filesystem::path(path).parent_path() / name;
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(beside, error)) return std::nullopt;
+  try {
+    return std::string(read_file(beside.string()).view());
+  } catch (const std::runtime_error&) {
+    return std::nullopt;
+  }
 }
 
 void check_indices(const FileMesh& mesh) {
@@ -44,8 +59,11 @@ FileMesh read_by_extension(const std::string& path) {
   if (bytes.empty()) throw std::runtime_error("the file is empty");
   if (extension == "ply") return read_ply(bytes);
   if (extension == "off") return read_off(bytes);
+  if (extension == "stl") return read_stl(bytes);
+  if (extension == "obj") {
+    return read_obj(bytes, [&](const std::string& name) { return read_beside(path, name); });
+  }
   if (extension == "gltf" || extension == "glb") return read_gltf(path, bytes);
-  if (extension == "obj" || extension == "stl") return read_through_assimp(path, bytes, extension);
   throw std::runtime_error("not a supported mesh type (known: .obj .ply .stl .off .gltf .glb)");
 }
 

@@ -3,6 +3,8 @@
 // Whatever the bytes, a reader takes no more memory than a few times their number, and does not recurse.
 #pragma once
 
+#include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -16,11 +18,17 @@ FileMesh read_ply(std::string_view bytes);
 // OFF, with or without normals, colours and texture coordinates; comments anywhere.
 FileMesh read_off(std::string_view bytes);
 
+// What is in the file of that name beside the one that is read; nothing where there is no such file.
+using ReadBeside = std::function<std::optional<std::string>(const std::string& name)>;
+
+// OBJ: faces; lines, points and free-form surfaces are left out. Material files are looked at for holes by transparency
+// alone.
+FileMesh read_obj(std::string_view bytes, const ReadBeside& read_beside);
+
+// STL: text and binary. Corners at equal positions are joined; normals and colours are not read.
+FileMesh read_stl(std::string_view bytes);
+
 // glTF 2.0 and GLB, whatever the file's name ends in. Buffers in files of their own are found beside `path`.
 FileMesh read_gltf(const std::string& path, std::string_view bytes);
-
-// OBJ and STL through assimp. `bytes` is the content of the file, to check that what assimp hands over is all that is
-// in it. `extension` is in lower case, without the dot.
-FileMesh read_through_assimp(const std::string& path, std::string_view bytes, const std::string& extension);
 
 }  // namespace lkao::scene

@@ -1,0 +1,217 @@
+// OBJ: a line for every vertex, normal and face; numbers of vertices count from 1, or back from the last with a minus.
+#include <algorithm>
+#include <charconv>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <unordered_map>
+#include <unordered_set>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "scene/formats/cut_outs.h"
+#include "scene/formats/obj_materials.h"
+#include "scene/formats/obj_words.h"
+#include "scene/formats/readers.h"
+#include "scene/formats/text.h"
+#include "scene/mesh.h"
+
+namespace lkao::scene {
+
+namespace {
+
+// As they stand in the file: "7", "7/1", "7//2", "7/1/2".
+struct Corner {
+  std::int64_t position = 0;
+  std::int64_t normal = 0;  // 0: none
+};
+
+// Takes a whole number off a word; 0 where there is none. One too large stays too large.
+std::int64_t take_index(const char*& at, const char* end) {
+  if (end - at > 1 && at[0] == '+' && at[1] != '-') ++at;
+  std::int64_t index = 0;
+  const auto [behind, error] = std::from_chars(at, end, index);
+  if (error == std::errc::result_out_of_range) {
+    index = *at == '-' ? std::numeric_limits<std::int64_t>::min() : std::numeric_limits<std::int64_t>::max();
+  }
+  at = behind;
+  return index;
+}
+
+Corner parse_corner(std::string_view word) {
+  const char* at = word.data();
+  const char* const end = at + word.size();
+  const auto take_slash = [&] { return at != end && *at == '/' && (++at, true); };
+  Corner corner;
+  corner.position = take_index(at, end);
+  const bool has_position = at != word.data();
+  if (take_slash()) {
+    take_index(at, end);
+    if (take_slash()) corner.normal = take_index(at, end);
+  }
+  if (!has_position || at != end) {
+    throw std::runtime_error(fmt::format("\"{}\" is not a corner of a face", word.substr(0, 40)));
+  }
+  return corner;
+}
+
+class ObjReader {
+ public:
+  // Numbers of vertices above `vertex_limit` are refused at once.
+  ObjReader(std::string_view text, std::size_t vertex_limit) : words_(text), vertex_limit_(vertex_limit) {}
+
+  void read() {
+    try {
+      for (; !words_.is_at_end(); words_.skip_line()) read_line(words_.take_word());
+    } catch (const std::runtime_error& error) {
+      throw std::runtime_error(fmt::format("line {}: {}", words_.line_number(), error.what()));
+    }
+    if (!has_normals_) mesh_.normals.clear();
+    if (surface_count_ > 0) {
+      mesh_.contents.remarks.push_back(fmt::format("{} free-form surfaces are left out", surface_count_));
+    }
+  }
+
+  // Largest number of a vertex that a face has, counted from 1: faces may stand in front of their vertices.
+  std::size_t largest_number() const { return largest_number_; }
+
+  void find_cut_outs(const ReadBeside& read_beside);
+
+  FileMesh& mesh() { return mesh_; }
+
+ private:
+  void read_line(std::string_view keyword) {
+    if (keyword == "v") {
+      read_vertex();
+    } else if (keyword == "f" || keyword == "fo") {
+      read_face();
+    } else if (keyword == "vn") {
+      read_normal();
+    } else if (keyword == "vt") {
+      mesh_.contents.uv_set_count = 1;
+    } else if (keyword == "usemtl") {
+      material_triangles_ = &triangles_of_material_[words_.take_rest()];
+    } else if (keyword == "mtllib") {
+      libraries_.push_back(words_.take_rest());
+    } else if (keyword == "surf" || keyword == "bzp" || keyword == "bsp" || keyword == "cdp") {
+      ++surface_count_;
+    }
+  }
+
+  // What stands behind the coordinates (a weight, a colour) says nothing of the polygons.
+  void read_vertex() {
+    glm::dvec3 position;
+    for (int axis = 0; axis < 3; ++axis) {
+      if (!words_.has_word()) throw std::runtime_error(fmt::format("a vertex has {} of 3 coordinates", axis));
+      position[axis] = words_.take_number();
+    }
+    mesh_.positions.push_back(position);
+  }
+
+  // One that cannot be read is none, but keeps its number.
+  void read_normal() {
+    glm::dvec3 normal(0.0);
+    try {
+      for (int axis = 0; axis < 3; ++axis) normal[axis] = words_.take_number();
+    } catch (const std::runtime_error&) {
+      normal = glm::dvec3(0.0);
+    }
+    mesh_.normals.emplace_back(normal);
+  }
+
+  void read_face() {
+    polygon_.clear();
+    polygon_normals_.clear();
+    bool has_normal = false;
+    while (words_.has_word()) {
+      const Corner corner = parse_corner(words_.take_word());
+      polygon_.push_back(position_of(corner.position));
+      polygon_normals_.push_back(normal_of(corner.normal));
+      has_normal = has_normal || corner.normal != 0;
+    }
+    if (has_normal && !has_normals_) {
+      has_normals_ = true;
+      mesh_.normal_corners.resize(mesh_.triangles.size(), glm::uvec3(kNoNormal));
+    }
+    const std::size_t count_before = mesh_.triangles.size();
+    const std::span<const std::uint32_t> normals(polygon_normals_);
+    mesh_.add_polygon(polygon_, has_normals_ ? normals : normals.first(0));
+    if (material_triangles_ != nullptr) *material_triangles_ += mesh_.triangles.size() - count_before;
+  }
+
+  std::uint32_t position_of(std::int64_t number) {
+    const auto count = static_cast<std::int64_t>(mesh_.positions.size());
+    if (number == 0) throw std::runtime_error("vertex 0 is out of range: they count from 1");
+    if (number < -count) {
+      throw std::runtime_error(fmt::format("vertex {} is out of range: there are {} so far", number, count));
+    }
+    if (number > static_cast<std::int64_t>(vertex_limit_)) {
+      throw std::runtime_error(fmt::format("vertex {} is out of range: there are {}", number, vertex_limit_));
+    }
+    const std::int64_t index = number > 0 ? number - 1 : count + number;
+    largest_number_ = std::max(largest_number_, static_cast<std::size_t>(index + 1));
+    return static_cast<std::uint32_t>(index);
+  }
+
+  // One that names nothing is none; those too large may still come and are looked at by the caller.
+  std::uint32_t normal_of(std::int64_t number) const {
+    const std::int64_t index = number > 0 ? number - 1 : static_cast<std::int64_t>(mesh_.normals.size()) + number;
+    return number != 0 && index >= 0 && index < kNoNormal ? static_cast<std::uint32_t>(index) : kNoNormal;
+  }
+
+  ObjWords words_;
+  std::size_t vertex_limit_;
+  std::size_t largest_number_ = 0;
+  FileMesh mesh_;
+  bool has_normals_ = false;
+  std::size_t surface_count_ = 0;
+  std::vector<std::uint32_t> polygon_, polygon_normals_;
+  std::vector<std::string_view> libraries_;
+  std::unordered_map<std::string_view, std::size_t> triangles_of_material_;
+  std::size_t* material_triangles_ = nullptr;  // of the material that faces get now
+};
+
+// A library may be several files, or one with blanks in its name. A missing one is no fault: AO needs no materials.
+void ObjReader::find_cut_outs(const ReadBeside& read_beside) {
+  std::unordered_set<std::string> done;
+  std::vector<CutOut> cut_outs;
+  const auto read_library = [&](std::string_view name) {
+    if (!done.emplace(name).second) return true;
+    const std::optional<std::string> text = read_beside(std::string(name));
+    if (!text) return false;
+    for (std::string& material : see_through_materials(*text)) {
+      const auto used = triangles_of_material_.find(material);
+      if (used == triangles_of_material_.end()) continue;
+      cut_outs.push_back({std::move(material), used->second});
+      used->second = 0;
+    }
+    return true;
+  };
+  for (const std::string_view library : libraries_) {
+    if (read_library(library)) continue;
+    for (ObjWords names(library); names.has_word();) read_library(names.take_word());
+  }
+  add_cut_outs(std::move(cut_outs), mesh_.contents);
+}
+
+}  // namespace
+
+FileMesh read_obj(std::string_view bytes, const ReadBeside& read_beside) {
+  const std::string_view text = without_byte_order_mark(bytes);
+  if (text.find('\0') != text.npos) throw std::runtime_error("malformed OBJ: it is not text");
+  // The file has more bytes than vertices, and numbers of vertices must fit 32 bits.
+  ObjReader reader(text, std::min<std::size_t>(text.size(), std::numeric_limits<std::uint32_t>::max()));
+  reader.read();
+  // Only a second look finds the line of a number that no vertex further down has.
+  const std::size_t vertex_count = reader.mesh().positions.size();
+  if (reader.largest_number() > vertex_count) ObjReader(text, vertex_count).read();
+  reader.find_cut_outs(read_beside);
+  return std::move(reader.mesh());
+}
+
+}  // namespace lkao::scene

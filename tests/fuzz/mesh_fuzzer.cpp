@@ -1,0 +1,80 @@
+// The fuzz target of the text formats: whatever the bytes, a reader returns a mesh or says what is wrong, within memory
+// that is bounded by the size of the file. The first byte chooses the format.
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "fuzz/target.h"
+#include "scene/formats/readers.h"
+
+namespace lkao::tests {
+namespace {
+
+using scene::FileMesh;
+
+FileMesh read(std::uint8_t format, std::string_view bytes) {
+  switch (format % 4) {
+    case 0:
+      // The file is its own material library too.
+      return scene::read_obj(bytes, [&](const std::string&) { return std::string(bytes); });
+    case 1:
+      return scene::read_stl(bytes);
+    case 2:
+      return scene::read_ply(bytes);
+    default:
+      return scene::read_off(bytes);
+  }
+}
+
+bool has_known_vertices(const FileMesh& mesh) {
+  for (const glm::uvec3& t : mesh.triangles) {
+    if (std::max({t.x, t.y, t.z}) >= mesh.positions.size()) return false;
+  }
+  return true;
+}
+
+std::size_t memory_of(const FileMesh& mesh) {
+  const auto size_of = [](const auto& values) { return values.capacity() * sizeof(values[0]); };
+  return size_of(mesh.positions) + size_of(mesh.triangles) + size_of(mesh.normals) + size_of(mesh.normal_corners) +
+         size_of(mesh.fans);
+}
+
+// Empty where nothing is wrong with the mesh.
+std::string fault_of(FileMesh& mesh, std::size_t file_size) {
+  const std::size_t memory_limit = 1000 + 100 * file_size;
+  if (memory_of(mesh) > memory_limit) return fmt::format("{} bytes of mesh from {}", memory_of(mesh), file_size);
+  if (!mesh.normal_corners.empty() && mesh.normal_corners.size() != mesh.triangles.size()) {
+    return fmt::format("normals for {} of {} triangles", mesh.normal_corners.size(), mesh.triangles.size());
+  }
+  if (!has_known_vertices(mesh)) return "";
+  const std::size_t triangle_count = mesh.triangles.size();
+  cut_polygons(mesh);
+  if (mesh.triangles.size() != triangle_count) return "cutting polygons changed the number of triangles";
+  return has_known_vertices(mesh) ? "" : "a cut polygon has a corner that it had not";
+}
+
+}  // namespace
+}  // namespace lkao::tests
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  if (size == 0) return 0;
+  std::string fault;
+  try {
+    lkao::scene::FileMesh mesh =
+        lkao::tests::read(data[0], std::string_view(reinterpret_cast<const char*>(data) + 1, size - 1));
+    fault = lkao::tests::fault_of(mesh, size);
+  } catch (const std::runtime_error& error) {
+    const std::string_view line = error.what();
+    if (line.empty()) fault = "a refusal without a word";
+  }
+  if (!fault.empty()) {
+    std::fprintf(stderr, "%s\n", fault.c_str());
+    std::abort();
+  }
+  return 0;
+}
