@@ -35,16 +35,12 @@ if(LKAO_BUILD_TOOLS OR LKAO_BUILD_GL)
   lkao_find(PkgConfig pkg-config)
 endif()
 
-# For the reader of glTF, which has a fuzzer of its own.
-if(LKAO_BUILD_TOOLS OR LKAO_BUILD_TESTS)
-  lkao_find(draco libdraco-dev CONFIG)
-  lkao_find(meshoptimizer libmeshoptimizer-dev CONFIG)
-  lkao_find(nlohmann_json nlohmann-json3-dev CONFIG)
-endif()
-
 if(LKAO_BUILD_TOOLS)
   lkao_find(embree libembree-dev 3 CONFIG)
+  lkao_find(draco libdraco-dev CONFIG)
+  lkao_find(meshoptimizer libmeshoptimizer-dev CONFIG)
   lkao_find(CLI11 libcli11-dev CONFIG)
+  lkao_find(nlohmann_json nlohmann-json3-dev CONFIG)
   lkao_find(OpenMesh libopenmesh-dev CONFIG)
   # Debian 12's CMake package of OpenImageIO names a folder of OpenCV that is not installed with it; pkg-config works.
   lkao_find_pkg_config(OpenImageIO OpenImageIO libopenimageio-dev)
