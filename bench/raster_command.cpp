@@ -13,6 +13,7 @@
 #include "bench/commands.h"
 #include "bench/csv_file.h"
 #include "bench/options.h"
+#include "bench/radii.h"
 #include "bench/raster_frames.h"
 #include "bench/raster_report.h"
 #include "bench/study_scenes.h"
@@ -74,8 +75,8 @@ constexpr method::Word<std::vector<FrameSetup> (*)()> kStudies[] = {
 struct RasterOptions {
   StudySceneOptions scenes = {.views = {}, .meshes = {}, .names = {}, .width = 512, .height = 384};
   FrameOptions frames;
-  method::Settings settings;  // the device
-  std::vector<float> radii;   // empty: the scene's own
+  method::Settings settings;          // the device
+  std::vector<method::Radius> radii;  // empty: the scene's own
   std::vector<std::string> studies = list_words(kStudies);
   std::string csv;
 };
@@ -98,7 +99,7 @@ class Studies {
   std::string device() const { return method::device_text(rasterizer_.context()); }
 
   void study_scene(const StudyScene& scene) {
-    for (const float radius : options_.radii.empty() ? scene.radii : options_.radii) {
+    for (const float radius : options_.radii.empty() ? scene.radii : lengths_of(options_.radii, scene)) {
       RasterFrames frames(rasterizer_, scene, radius, options_.frames);
       for (const std::string& study : options_.studies) report(run_study(frames, {scene.name, radius, study, {}, {}}));
     }
@@ -143,9 +144,8 @@ Command add_raster_command(CLI::App& program) {
   auto options = std::make_shared<RasterOptions>();
   CLI::App* app = program.add_subcommand("raster", "The rasterised method: time and errors against the CPU's query.");
   add_scene_options(*app, options->scenes);
-  app->add_option("--radii", options->radii, "AO radii (default: each scene's own)")
-      ->delimiter(',')
-      ->check(CLI::PositiveNumber);
+  add_radii_option(*app, "--radii", options->radii,
+                   "AO radii: lengths, 5% of the scene's diagonal, or inf (default: each scene's own)");
   add_size_options(*app, options->scenes);
   app->add_option("--samples", options->frames.ray_count, "rays a receiver")->capture_default_str();
   app->add_option("--studies", options->studies, "some of them")

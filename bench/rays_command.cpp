@@ -1,6 +1,5 @@
 // lkao-bench rays: lkao against every mode of Embree, on the same rays.
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <memory>
 #include <stdexcept>
@@ -15,6 +14,7 @@
 #include "bench/compared_isas.h"
 #include "bench/csv_file.h"
 #include "bench/options.h"
+#include "bench/radii.h"
 #include "bench/rays_cell.h"
 #include "bench/rays_csv.h"
 #include "bench/rays_radii.h"
@@ -28,7 +28,7 @@ namespace {
 
 struct RaysOptions {
   StudySceneOptions scenes = {.views = {}, .meshes = {}, .names = {}, .width = 1024, .height = 768};
-  std::vector<float> radii;  // empty: compared_radii
+  std::vector<method::Radius> radii;  // empty: compared_radii
   std::vector<int> ray_counts = {128, 1024};
   MeasureOptions measure;
   int tile_count = 4;
@@ -66,7 +66,7 @@ class RaysComparison {
   }
 
   void measure_isa(const CellInput& input, const StudyScene& scene, const ComparedIsa& isa) {
-    for (const float radius : options_.radii.empty() ? compared_radii(scene) : options_.radii) {
+    for (const float radius : options_.radii.empty() ? compared_radii(scene) : lengths_of(options_.radii, scene)) {
       const char* const group = is_unbounded(radius, scene.mesh) ? kUnbounded : kBounded;
       for (const int ray_count : options_.ray_counts) {
         const bool with_scalar = isa.name == isas_.front().name;
@@ -108,11 +108,6 @@ void check(RaysOptions& options) {
     throw std::invalid_argument(fmt::format("--samples must be multiples of {} from {} to {}, not {}", kRayCountStep,
                                             kMinRayCount, kMaxRayCount, ray_count));
   }
-  for (const float radius : options.radii) {
-    if ((radius > 0 && radius <= kMaxStudyRadius) || (radius > 0 && std::isinf(radius))) continue;
-    throw std::invalid_argument(
-        fmt::format("--radius must be numbers above 0, at most {:g}, or inf, not {:g}", kMaxStudyRadius, radius));
-  }
   std::sort(options.measure.thread_counts.begin(), options.measure.thread_counts.end());
   remove_repeats(options.measure.thread_counts);
   remove_repeats(options.ray_counts);
@@ -128,9 +123,10 @@ Command add_rays_command(CLI::App& program) {
   CLI::App* app = program.add_subcommand(
       "rays", "Millions of rays a second, lkao against Embree. One thread: by its CPU time; several: by wall time.");
   add_scene_options(*app, options->scenes);
-  app->add_option("--radius", options->radii,
-                  "AO radii, numbers or inf (default: each scene's own, and inf where none is beyond the scene)")
-      ->delimiter(',');
+  add_radii_option(
+      *app, "--radius", options->radii,
+      "AO radii: lengths, 5% of the scene's diagonal, or inf (default: each scene's own, and inf where none "
+      "is beyond the scene)");
   app->add_option("--samples", options->ray_counts, "rays a receiver")->delimiter(',')->capture_default_str();
   add_rounds_option(*app, options->measure.round_count);
   app->add_option("--tiles", options->tile_count, "32 x 32 pixels each, of the view at 1024 x 768")

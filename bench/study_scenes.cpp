@@ -18,7 +18,7 @@ namespace {
 
 using nlohmann::json;
 
-glm::vec3 vector_of(const json& value) { return {value.at(0), value.at(1), value.at(2)}; }
+glm::dvec3 vector_of(const json& value) { return {value.at(0), value.at(1), value.at(2)}; }
 
 StudyScene load_builtin(const std::string& name, const StudySceneOptions& options) {
   const scene::BuiltinScene& builtin = scene::builtin_scene(name);
@@ -51,9 +51,12 @@ void check_view(const json& view, const StudySceneOptions& options) {
 }
 
 StudyScene load_view(const json& view, const StudySceneOptions& options) {
-  const scene::Camera camera{vector_of(view.at("eye")), vector_of(view.at("target")), vector_of(view.at("up")),
+  scene::Mesh mesh = load_mesh(view, options);
+  // Cameras are in the file's coordinates.
+  const scene::Camera camera{glm::vec3(vector_of(view.at("eye")) - mesh.origin),
+                             glm::vec3(vector_of(view.at("target")) - mesh.origin), glm::vec3(vector_of(view.at("up"))),
                              view.at("fov")};
-  return look_at(view.at("name"), load_mesh(view, options), view.at("radii"), camera, options.width, options.height);
+  return look_at(view.at("name"), std::move(mesh), view.at("radii"), camera, options.width, options.height);
 }
 
 // Calls `read` with the list of scenes in the file.

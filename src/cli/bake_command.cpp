@@ -15,6 +15,8 @@
 #include "cli/method_options.h"
 #include "cli/options.h"
 #include "cli/output_files.h"
+#include "cli/parse.h"
+#include "cli/parsed_option.h"
 #include "cli/progress_bar.h"
 #include "cli/report.h"
 #include "cli/scene_input.h"
@@ -26,7 +28,8 @@ namespace lkao::cli {
 namespace {
 
 struct BakeOptions {
-  std::string scene;
+  SceneOptions scene;
+  glm::vec3 up{0, 1, 0};
   std::string output;
   OcclusionOptions occlusion;
   MethodOptions method;  // the traversal
@@ -35,6 +38,7 @@ struct BakeOptions {
 
 struct Bake {
   SceneInput scene;
+  double radius = 0;  // in the scene's unit
   double build_seconds = 0;
   method::Batch batch;  // receiver k is vertex k
   method::Remarks remarks;
@@ -52,16 +56,17 @@ std::vector<Receiver> vertex_receivers(const scene::Mesh& mesh) {
 
 Bake compute(const BakeOptions& options, ProgressBar& progress) {
   Bake result;
-  progress.begin("loading " + options.scene);
+  progress.begin("loading " + options.scene.name);
   result.scene = load_scene(options.scene);
   const scene::Mesh& mesh = result.scene.mesh;
-  require_radius(options.occlusion.radius, result.scene);
+  result.radius = resolve_radius(options.occlusion.radius, result.scene);
+  add_surroundings(result.scene, options.scene, options.up, result.radius);
   progress.clear();
-  report_dropped_triangles(result.scene);
+  print_notes(result.scene.notes);
 
   progress.begin("building the hierarchy");
-  method::Occluders occluders(mesh);
-  const method::Question question = options.occlusion.question();
+  method::Occluders occluders(result.scene.occluders());
+  const method::Question question = options.occlusion.question(result.radius);
   const std::unique_ptr<method::Method> method = options.method.kind->open(options.method.settings);
   method->prepare({occluders, question});
   result.build_seconds = occluders.build_seconds();
@@ -90,8 +95,8 @@ std::size_t receiver_count(const Bake& result) {
 Json document_of(const BakeOptions& options, const Bake& result) {
   Json document;
   document["method"] = options.method.kind->word;
-  document["scene"] = options.scene;
-  document["radius"] = *options.occlusion.radius;
+  document["scene"] = options.scene.name;
+  document["radius"] = result.radius;
   document["samples"] = options.occlusion.ray_count;
   document["vertices"] = result.batch.occlusion.size();
   document["receivers"] = receiver_count(result);
@@ -100,6 +105,7 @@ Json document_of(const BakeOptions& options, const Bake& result) {
   add_setting_keys(document, options.occlusion);
   add_remark_keys(document, result.remarks);
   add_scene_keys(document, result.scene);
+  add_surroundings_keys(document, options.scene, result.scene);
   document["build_seconds"] = result.build_seconds;
   return document;
 }
@@ -107,6 +113,7 @@ Json document_of(const BakeOptions& options, const Bake& result) {
 void print_table(const BakeOptions& options, const Bake& result) {
   Table table;
   add_scene_row(table, result.scene);
+  add_surroundings_row(table, options.scene, result.scene);
   table.add("prepared",
             fmt::format("{:.3f} s to load, {:.3f} s to build", result.scene.load_seconds, result.build_seconds));
   table.add("receivers",
@@ -128,22 +135,22 @@ void bake(const BakeOptions& options) {
     throw std::invalid_argument(fmt::format("--output: expected a name ending in .ply, got '{}'", options.output));
   }
   check_lengths(options.method, options.occlusion);
-  OutputFiles outputs({options.scene});
+  OutputFiles outputs(options.scene.inputs());
   const std::string mesh_path = outputs.claim(options.output);
   const JsonOutput json(options.common.json_path, outputs);
 
   ProgressBar progress(!options.common.quiet);
   const Bake result = compute(options, progress);
   report_vertices_without_normal(result);
+  report_fully_blocked(result.scene, "vertices", result.batch, result.radius);
   write_mesh(mesh_path, result);
   json.write_and_commit(document_of(options, result));
   if (options.common.wants_table()) print_table(options, result);
 }
 
 void add_options(CLI::App& app, BakeOptions& options) {
-  app.add_option("scene", options.scene, "A mesh file (OBJ, PLY, STL, OFF, glTF, GLB) or builtin:NAME")
-      ->required()
-      ->type_name("SCENE");
+  add_scene_options(app, options.scene, "gets nothing");
+  add_parsed(app, "--up", options.up, parse_vector, "What is up, for --ground (default: 0,1,0)")->type_name("X,Y,Z");
   app.add_option("-o,--output", options.output, "Mesh: a .ply with occlusion and grey colour per vertex")
       ->required()
       ->type_name("FILE");

@@ -18,9 +18,9 @@ scene::Camera default_camera(const CameraOptions& options, const SceneInput& sce
 }  // namespace
 
 void add_camera_options(CLI::App& app, CameraOptions& options) {
-  add_parsed(app, "--eye", options.eye, parse_vector, "Where the camera is (default: where it sees the scene)")
+  add_parsed(app, "--eye", options.eye, parse_position, "Where the camera is (default: where it sees the scene)")
       ->type_name("X,Y,Z");
-  add_parsed(app, "--target", options.target, parse_vector, "What it looks at (default: the middle)")
+  add_parsed(app, "--target", options.target, parse_position, "What it looks at (default: the middle)")
       ->type_name("X,Y,Z");
   add_parsed(app, "--up", options.up, parse_vector, "What is up in the image (default: 0,1,0)")->type_name("X,Y,Z");
   add_parsed(app, "--fov", options.fov, parse_field_of_view,
@@ -30,8 +30,8 @@ void add_camera_options(CLI::App& app, CameraOptions& options) {
 
 scene::Camera choose_camera(const CameraOptions& options, const SceneInput& scene, float aspect) {
   scene::Camera camera = default_camera(options, scene, aspect);
-  camera.eye = options.eye.value_or(camera.eye);
-  camera.target = options.target.value_or(camera.target);
+  if (options.eye) camera.eye = glm::vec3(*options.eye - scene.mesh.origin);
+  if (options.target) camera.target = glm::vec3(*options.target - scene.mesh.origin);
   camera.up = options.up.value_or(camera.up);
   camera.fov = options.fov.value_or(camera.fov);
   scene::validate(camera);

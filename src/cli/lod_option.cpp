@@ -55,16 +55,17 @@ LodOption parse_lod(const std::string& text) {
   return option;
 }
 
-lod::Chain make_chain(const LodOption& option, const scene::Mesh& mesh, float radius, ProgressBar& progress) {
+lod::Chain make_chain(const LodOption& option, const SceneInput& scene, float radius, ProgressBar& progress) {
   if (option.file.empty()) {
     lod::LevelRule rule = option.rule;
-    if (rule.epsilon == 0) rule.epsilon = lod::automatic_epsilon(mesh, radius, rule);
-    return simplify_watched(mesh, rule, progress).chain;
+    if (rule.epsilon == 0) rule.epsilon = lod::automatic_epsilon(scene.mesh, radius, rule);
+    return simplify_watched(scene.occluders(), rule, progress).chain;
   }
   progress.begin("loading " + option.file);
-  lod::Chain chain = lod::load_chain(option.file);
+  lod::Chain chain = lod::load_chain(option.file, scene.mesh.origin);
   progress.clear();
-  if (chain.levels.front().mesh.positions != mesh.positions || chain.levels.front().mesh.triangles != mesh.triangles) {
+  const scene::Mesh& original = chain.levels.front().mesh;
+  if (original.positions != scene.mesh.positions || original.triangles != scene.mesh.triangles) {
     throw std::runtime_error(option.file + ": these are levels of another mesh than the scene's");
   }
   return chain;

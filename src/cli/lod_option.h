@@ -19,9 +19,9 @@ struct LodOption {
 // functions of parse.h do.
 LodOption parse_lod(const std::string& text);
 
-// Makes the levels of `mesh`, or loads them. Throws std::runtime_error with one line where the file cannot be read or
-// was made of another mesh.
-lod::Chain make_chain(const LodOption& option, const scene::Mesh& mesh, float radius, ProgressBar& progress);
+// Makes the levels of what blocks in `scene`, or loads them. Throws std::runtime_error with one line where the file
+// cannot be read or was made of another mesh.
+lod::Chain make_chain(const LodOption& option, const SceneInput& scene, float radius, ProgressBar& progress);
 
 // lod::simplify, watched by the progress bar.
 lod::Simplified simplify_watched(const scene::Mesh& mesh, const lod::LevelRule& rule, ProgressBar& progress);

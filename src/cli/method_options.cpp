@@ -93,7 +93,7 @@ void require_ability(const MethodOptions& options, Ability ability, std::string_
 }
 
 void check_lengths(const MethodOptions& options, const OcclusionOptions& occlusion) {
-  if (!occlusion.radius || !occlusion.question().has_infinite_lengths()) return;
+  if (!occlusion.radius || !occlusion.question(occlusion.radius->value).has_infinite_lengths()) return;
   require_ability(options, &method::Abilities::infinite_lengths,
                   fmt::format("--radius inf with --falloff {}", occlusion.falloff.name()));
 }

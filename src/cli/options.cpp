@@ -22,11 +22,10 @@ void add_common_options(CLI::App& app, CommonOptions& options) {
 }
 
 void add_occlusion_options(CLI::App& app, OcclusionOptions& options) {
-  add_parsed(
-      app, "--radius", options.radius, parse_radius,
-      "AO radius: length of the longest ray, in the scene's unit; or inf, then rays go beyond the scene, and JSON "
-      "says null (required)")
-      ->type_name("R");
+  add_parsed(app, "--radius", options.radius, method::parse_radius,
+             "AO radius, the length of the longest ray: a length in the scene's unit; or as 5%, of the diagonal of the "
+             "scene's box; or inf, then rays go beyond the scene, and JSON says null (required)")
+      ->type_name("R|P%|inf");
   add_parsed(app, "--samples", options.ray_count, parse_ray_count,
              "Rays a receiver: a multiple of 64 from 64 to 1024 (default: 128)")
       ->type_name("N");
@@ -42,8 +41,8 @@ void add_occlusion_options(CLI::App& app, OcclusionOptions& options) {
   add_parsed(app, "--seed", options.seed, parse_seed, "Seed of the per-receiver jitter (default: 0)")->type_name("S");
 }
 
-method::Question OcclusionOptions::question() const {
-  return {.radius = static_cast<float>(radius.value()),
+method::Question OcclusionOptions::question(double length) const {
+  return {.radius = static_cast<float>(length),
           .ray_count = ray_count,
           .falloff = falloff,
           .sidedness = sidedness,

@@ -9,6 +9,7 @@
 #include <tbb/task_arena.h>
 
 #include "method/question.h"
+#include "method/radius.h"
 
 namespace CLI {
 class App;
@@ -28,14 +29,14 @@ void add_common_options(CLI::App& app, CommonOptions& options);
 
 // What to ask of every receiver; on `render` and `bake`.
 struct OcclusionOptions {
-  std::optional<double> radius;  // perhaps infinite
+  std::optional<method::Radius> radius;
   int ray_count = 128;
   Falloff falloff = Falloff::constant();
   Sidedness sidedness = Sidedness::two_sided;
   std::uint64_t seed = 0;
 
-  // Once the radius is there.
-  method::Question question() const;
+  // `length` is what the radius is in the scene's unit: resolve_radius() tells it.
+  method::Question question(double length) const;
 };
 void add_occlusion_options(CLI::App& app, OcclusionOptions& options);
 

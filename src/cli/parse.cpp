@@ -50,14 +50,6 @@ double parse_positive_number(const std::string& text) {
   return *number;
 }
 
-double parse_radius(const std::string& text) {
-  const std::optional<double> number = read_number<double>(text);
-  if (number && std::isinf(*number) && *number > 0) return *number;
-  const std::optional<double> length = read_finite(text);
-  if (!length || !(static_cast<float>(*length) > 0)) reject("a length above 0, or inf", text);
-  return *length;
-}
-
 double parse_non_negative_number(const std::string& text) {
   const std::optional<double> number = read_finite(text);
   if (!number || *number < 0) reject("a finite number of at least 0", text);
@@ -93,17 +85,19 @@ int parse_ray_count(const std::string& text) {
   return *number;
 }
 
-glm::vec3 parse_vector(const std::string& text) {
+glm::vec3 parse_vector(const std::string& text) { return glm::vec3(parse_position(text)); }
+
+glm::dvec3 parse_position(const std::string& text) {
   constexpr std::string_view kExpected = "three finite numbers x,y,z";
   const std::vector<std::string_view> parts = split(text, ',');
   if (parts.size() != 3) reject(kExpected, text);
-  glm::vec3 vector{0};
+  glm::dvec3 position{0};
   for (int axis = 0; axis < 3; ++axis) {
     const std::optional<double> number = read_finite(parts[static_cast<std::size_t>(axis)]);
     if (!number) reject(kExpected, text);
-    vector[axis] = static_cast<float>(*number);
+    position[axis] = *number;
   }
-  return vector;
+  return position;
 }
 
 Size parse_size(const std::string& text) {

@@ -22,8 +22,6 @@ struct Size {
 double parse_number(const std::string& text);
 // As parse_number, and above 0, also as a float.
 double parse_positive_number(const std::string& text);
-// An AO radius: as parse_positive_number, or "inf" or "infinity".
-double parse_radius(const std::string& text);
 // As parse_number, and >= 0.
 double parse_non_negative_number(const std::string& text);
 // A horizontal field of view in degrees, inside (0, 180).
@@ -33,8 +31,9 @@ int parse_integer(const std::string& text, int least, int most);
 std::uint64_t parse_seed(const std::string& text);
 // A ray count on the grid of sample patterns.
 int parse_ray_count(const std::string& text);
-// "x,y,z".
+// "x,y,z": a direction, or a place in the file's coordinates, which may be too far from zero for floats.
 glm::vec3 parse_vector(const std::string& text);
+glm::dvec3 parse_position(const std::string& text);
 // "WxH".
 Size parse_size(const std::string& text);
 

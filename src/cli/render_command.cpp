@@ -28,9 +28,9 @@ struct RenderOptions {
   CommonOptions common;
 };
 
-Json camera_json(const scene::Camera& camera) {
-  return {{"eye", vector_json(camera.eye)},
-          {"target", vector_json(camera.target)},
+Json camera_json(const scene::Camera& camera, const glm::dvec3& origin) {
+  return {{"eye", position_json(camera.eye, origin)},
+          {"target", position_json(camera.target, origin)},
           {"up", vector_json(camera.up)},
           {"fov", camera.fov}};
 }
@@ -38,8 +38,8 @@ Json camera_json(const scene::Camera& camera) {
 Json document_of(const RenderingOptions& options, const Rendering& result) {
   Json document;
   document["method"] = options.method.kind->word;
-  document["scene"] = options.scene;
-  document["radius"] = *options.occlusion.radius;
+  document["scene"] = options.scene.name;
+  document["radius"] = result.radius;
   document["samples"] = options.occlusion.ray_count;
   document["width"] = options.size.width;
   document["height"] = options.size.height;
@@ -48,9 +48,10 @@ Json document_of(const RenderingOptions& options, const Rendering& result) {
   document["invalid_receivers"] = result.batch.invalid_receiver_count;
   add_setting_keys(document, options.occlusion);
   add_remark_keys(document, result.remarks);
-  document["camera"] = camera_json(result.camera);
+  document["camera"] = camera_json(result.camera, result.scene.mesh.origin);
   add_scene_keys(document, result.scene);
-  if (result.chain) document["lod"] = lod_json(*result.chain, options.occlusion.question().radius, result.lod_seconds);
+  add_surroundings_keys(document, options.scene, result.scene);
+  if (result.chain) document["lod"] = lod_json(*result.chain, static_cast<float>(result.radius), result.lod_seconds);
   document["build_seconds"] = result.build_seconds;
   for (const auto& [word, seconds] : result.own_build_seconds) document[word + "_build_seconds"] = seconds;
   document["camera_seconds"] = result.camera_seconds;
@@ -61,12 +62,13 @@ void print_table(const RenderOptions& options, const Rendering& result) {
   const Size& size = options.rendering.size;
   Table table;
   add_scene_row(table, result.scene);
+  add_surroundings_row(table, options.rendering.scene, result.scene);
   table.add("prepared", fmt::format("{:.3f} s to load, {:.3f} s to build, {:.3f} s to find receivers",
                                     result.scene.load_seconds, result.build_seconds, result.camera_seconds));
   table.add("receivers",
             fmt::format("{} in {} x {} pixels", grouped(result.view.receiver_count), size.width, size.height));
   if (result.chain) {
-    add_lod_row(table, *result.chain, options.rendering.occlusion.question().radius, result.lod_seconds);
+    add_lod_row(table, *result.chain, static_cast<float>(result.radius), result.lod_seconds);
   }
   add_remark_rows(table, result.remarks);
   add_batch_rows(table, *options.rendering.method.kind, result.batch);
@@ -84,6 +86,15 @@ void check_abilities(const RenderingOptions& options) {
   if (options.layers.bent_normals) require_ability(options.method, &method::Abilities::bent_normals, "--bent-normals");
 }
 
+// Levels of a file are those of the scene alone, as it is there.
+void check_levels(const RenderingOptions& options) {
+  if (!options.lod || options.lod->file.empty()) return;
+  if (!options.scene.flip && !options.scene.has_surroundings()) return;
+  throw std::invalid_argument(fmt::format(
+      "--lod: the levels of '{}' know nothing of --flip, --ground and --blockers; --lod k=3 makes some that do",
+      options.lod->file));
+}
+
 // Faults of the options that need no scene to be seen.
 void check_options(const RenderOptions& options) {
   const bool is_png = ending_of(options.output) == ".png";
@@ -96,6 +107,7 @@ void check_options(const RenderOptions& options) {
   }
   check_method(options.rendering.method);
   check_abilities(options.rendering);
+  check_levels(options.rendering);
   const CameraOptions& camera = options.rendering.camera;
   if (camera.eye && camera.target && *camera.eye == *camera.target) {
     throw std::invalid_argument("--eye and --target are the same point");
@@ -110,11 +122,12 @@ void report_oddities(const Rendering& result) {
     fmt::print(stderr, "lkao: {}: {} receivers without a usable normal are NaN\n", result.scene.name,
                result.batch.invalid_receiver_count);
   }
+  report_fully_blocked(result.scene, "points that the camera sees", result.batch, result.radius);
 }
 
 void render(const RenderOptions& options) {
   check_options(options);
-  OutputFiles outputs({options.rendering.scene});
+  OutputFiles outputs(options.rendering.scene.inputs());
   const std::string image_path = outputs.claim_image(options.output);
   const std::string preview_path = options.preview.empty() ? "" : outputs.claim_image(options.preview);
   const JsonOutput json(options.common.json_path, outputs);
@@ -133,9 +146,7 @@ void render(const RenderOptions& options) {
 
 void add_options(CLI::App& app, RenderOptions& options) {
   RenderingOptions& rendering = options.rendering;
-  app.add_option("scene", rendering.scene, "A mesh file (OBJ, PLY, STL, OFF, glTF, GLB) or builtin:NAME")
-      ->required()
-      ->type_name("SCENE");
+  add_scene_options(app, rendering.scene, "is seen too");
   app.add_option("-o,--output", options.output, "Image: .exr holds float channels, .png a preview of the visibility")
       ->required()
       ->type_name("FILE");

@@ -27,32 +27,33 @@ Methods open(const RenderingOptions& options) {
 }
 
 void load(const RenderingOptions& options, Rendering& result, ProgressBar& progress) {
-  progress.begin("loading " + options.scene);
+  progress.begin("loading " + options.scene.name);
   result.scene = load_scene(options.scene);
-  require_radius(options.occlusion.radius, result.scene);
+  result.radius = resolve_radius(options.occlusion.radius, result.scene);
   const float aspect = static_cast<float>(options.size.width) / static_cast<float>(options.size.height);
   result.camera = choose_camera(options.camera, result.scene, aspect);
+  add_surroundings(result.scene, options.scene, result.camera.up, result.radius);
   progress.clear();
-  report_dropped_triangles(result.scene);
+  print_notes(result.scene.notes);
 }
 
 void make_levels(const RenderingOptions& options, float radius, Rendering& result, ProgressBar& progress) {
   if (!options.lod) return;
   const Stopwatch watch;
-  result.chain = make_chain(*options.lod, result.scene.mesh, radius, progress);
+  result.chain = make_chain(*options.lod, result.scene, radius, progress);
   result.lod_seconds = watch.seconds();
 }
 
 void find_receivers(const RenderingOptions& options, Rendering& result, ProgressBar& progress) {
   progress.begin("finding receivers");
   const Stopwatch watch;
-  result.view = scene::find_receivers(result.scene.mesh, result.camera, options.size.width, options.size.height);
+  result.view = scene::find_receivers(result.scene.seen(), result.camera, options.size.width, options.size.height);
   result.camera_seconds = watch.seconds();
 }
 
 void prepare(const Methods& methods, const RenderingOptions& options, const method::Question& question,
              Rendering& result, ProgressBar& progress) {
-  const scene::Mesh& mesh = result.scene.mesh;
+  const scene::Mesh& mesh = result.scene.occluders();
   method::Occluders occluders =
       result.chain ? method::Occluders(mesh, *result.chain, question.radius) : method::Occluders(mesh);
   const auto prepare_one = [&](method::Method* method, const method::MethodKind& kind) {
@@ -84,7 +85,7 @@ Rendering compute_rendering(const RenderingOptions& options, ProgressBar& progre
   Rendering result;
   const Methods methods = open(options);  // first: where there is no such device, nothing else is worth doing
   load(options, result, progress);
-  const method::Question question = options.occlusion.question();
+  const method::Question question = options.occlusion.question(result.radius);
   make_levels(options, question.radius, result, progress);
   find_receivers(options, result, progress);
   prepare(methods, options, question, result, progress);

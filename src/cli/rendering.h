@@ -14,13 +14,14 @@
 #include "cli/progress_bar.h"
 #include "cli/render_images.h"
 #include "cli/scene_input.h"
+#include "cli/scene_options.h"
 #include "method/batch.h"
 #include "scene/camera.h"
 
 namespace lkao::cli {
 
 struct RenderingOptions {
-  std::string scene;
+  SceneOptions scene;
   Size size;
   MethodOptions method;
   bool reference = false;
@@ -32,6 +33,7 @@ struct RenderingOptions {
 
 struct Rendering {
   SceneInput scene;
+  double radius = 0;  // in the scene's unit
   scene::Camera camera;
   std::optional<lod::Chain> chain;  // where there are levels of detail
   double lod_seconds = 0;

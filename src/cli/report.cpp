@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <fmt/format.h>
+#include <glm/geometric.hpp>
 
 #include "method/speed.h"
 
@@ -48,7 +49,11 @@ std::string grouped(std::uint64_t count) {
   return text;
 }
 
-Json vector_json(const glm::vec3& vector) { return {vector.x, vector.y, vector.z}; }
+Json vector_json(const glm::dvec3& vector) { return {vector.x, vector.y, vector.z}; }
+
+Json position_json(const glm::vec3& position, const glm::dvec3& origin) {
+  return vector_json(glm::dvec3(position) + origin);
+}
 
 void add_scene_row(Table& table, const SceneInput& scene) {
   table.add("scene", fmt::format("{}, {} triangles", scene.name, grouped(scene.mesh.triangles.size())));
@@ -90,7 +95,34 @@ void add_remark_keys(Json& document, const Remarks& remarks) { document.update(r
 void add_scene_keys(Json& document, const SceneInput& scene) {
   document["triangles"] = scene.mesh.triangles.size();
   document["dropped"] = {{"zero_area", scene.defects.zero_area_count}, {"non_finite", scene.defects.non_finite_count}};
+  document["origin"] = vector_json(scene.mesh.origin);
   document["load_seconds"] = scene.load_seconds;
+}
+
+void add_surroundings_row(Table& table, const SceneOptions& options, const SceneInput& scene) {
+  if (!options.has_surroundings()) return;
+  std::string text = options.ground ? "a ground" : "";
+  for (const std::string& file : options.blockers) text += (text.empty() ? "" : ", ") + file;
+  table.add("also block", fmt::format("{}: {} triangles", text,
+                                      grouped(scene.occluders().triangles.size() - scene.mesh.triangles.size())));
+}
+
+void add_surroundings_keys(Json& document, const SceneOptions& options, const SceneInput& scene) {
+  if (options.flip) document["flipped"] = true;
+  if (!options.has_surroundings()) return;
+  document["occluders"] = {
+      {"triangles", scene.occluders().triangles.size()}, {"ground", options.ground}, {"blockers", options.blockers}};
+}
+
+void report_fully_blocked(const SceneInput& scene, const std::string& what, const Batch& batch, double radius) {
+  constexpr double kMost = 0.5;
+  const Bounds bounds = scene::bounds_of(scene.mesh);
+  const double share = batch.fully_blocked_share();
+  if (!(share > kMost) || radius >= glm::distance(bounds.lower, bounds.upper)) return;
+  fmt::print(stderr,
+             "lkao: {}: most {} ({:.0f} %) are fully blocked: is the mesh inside out (--flip), or do parts pierce each "
+             "other?\n",
+             scene.name, what, 100 * share);
 }
 
 }  // namespace lkao::cli

@@ -30,7 +30,7 @@ namespace {
 struct SimplifyCommandOptions {
   std::string scene;
   std::string output;
-  std::optional<double> radius;
+  std::optional<method::Radius> radius;
   std::optional<double> epsilon;
   double k = 3;
   double growth = 3;
@@ -52,7 +52,8 @@ lod::LevelRule rule_of(const SimplifyCommandOptions& options, const SceneInput& 
   if (options.epsilon) {
     rule.epsilon = static_cast<float>(*options.epsilon);
   } else if (options.radius) {
-    rule.epsilon = lod::automatic_epsilon(scene.mesh, static_cast<float>(*options.radius), rule);
+    const double radius = resolve_radius(options.radius, scene);
+    rule.epsilon = lod::automatic_epsilon(scene.mesh, static_cast<float>(radius), rule);
   } else {
     const scene::SuggestedRadii radii = suggest_radii(scene.name, scene::bounds_of(scene.mesh));
     throw std::invalid_argument(
@@ -65,10 +66,10 @@ lod::LevelRule rule_of(const SimplifyCommandOptions& options, const SceneInput& 
 Simplification compute(const SimplifyCommandOptions& options, ProgressBar& progress) {
   Simplification result;
   progress.begin("loading " + options.scene);
-  result.scene = load_scene(options.scene);
+  result.scene = load_scene({.name = options.scene});
   const lod::LevelRule rule = rule_of(options, result.scene);
   progress.clear();
-  report_dropped_triangles(result.scene);
+  print_notes(result.scene.notes);
 
   const method::Stopwatch watch;
   result.simplified = simplify_watched(result.scene.mesh, rule, progress);
@@ -215,17 +216,16 @@ std::string parse_chain_name(const std::string& text) {
 }
 
 void add_options(CLI::App& app, SimplifyCommandOptions& options) {
-  app.add_option("scene", options.scene, "A mesh file (OBJ, PLY, STL, OFF, glTF, GLB) or builtin:NAME")
-      ->required()
-      ->type_name("SCENE");
+  add_scene_argument(app, options.scene);
   add_parsed(app, "-o,--output", options.output, parse_chain_name,
              "Chain: NAME.json, with NAME.0.ply, NAME.1.ply ... beside it")
       ->required()
       ->type_name("FILE");
-  auto* const radius = add_parsed(app, "--radius", options.radius, parse_radius,
-                                  "AO radius: the last level begins at half of it, of the scene's diagonal where it is "
+  auto* const radius = add_parsed(app, "--radius", options.radius, method::parse_radius,
+                                  "AO radius, a length or as 5% of the scene's diagonal: the last level begins at half "
+                                  "of it, of the scene's diagonal where it is "
                                   "inf (or give --epsilon)");
-  radius->type_name("R");
+  radius->type_name("R|P%|inf");
   add_parsed(app, "--epsilon", options.epsilon, parse_positive_number,
              "Allowed error of the first simplified level, in the scene's unit")
       ->type_name("E")

@@ -64,7 +64,7 @@ class Reader {
     }
   }
 
-  Chain read() const {
+  Chain read(std::optional<glm::dvec3> origin) const {
     if (!document_.is_object() || !document_.contains("format") || document_["format"] != kFormat) {
       throw std::runtime_error(fmt::format("format: expected \"{}\"", kFormat));
     }
@@ -79,7 +79,10 @@ class Reader {
       chain.levels.push_back(read_level(document_["levels"][i], fmt::format("levels[{}].", i)));
     }
     check(chain);
-    for (std::size_t i = 0; i < chain.levels.size(); ++i) read_mesh(i, chain.levels[i].mesh);
+    for (std::size_t i = 0; i < chain.levels.size(); ++i) {
+      read_mesh(i, origin, chain.levels[i].mesh);
+      origin = chain.levels[i].mesh.origin;
+    }
     return chain;
   }
 
@@ -127,9 +130,9 @@ class Reader {
     if (!std::isinf(levels.back().r_max)) throw std::runtime_error("levels: the last one must have no r_max (null)");
   }
 
-  void read_mesh(std::size_t i, scene::Mesh& mesh) const {
+  void read_mesh(std::size_t i, const std::optional<glm::dvec3>& origin, scene::Mesh& mesh) const {
     const Json& entry = document_["levels"][i];
-    mesh = scene::read_mesh_file((folder_ / entry["mesh"].get<std::string>()).string());
+    mesh = scene::read_mesh_file((folder_ / entry["mesh"].get<std::string>()).string(), origin);
     const auto expect = [&](const char* key, std::size_t count) {
       if (entry[key].get<std::uint64_t>() == count) return;
       throw std::runtime_error(fmt::format("levels[{}].{}: {} has {}, expected {}", i, key,
@@ -166,9 +169,9 @@ void write_chain(const Chain& chain, const std::string& path, std::span<const st
   write_file(files[0], targets[0], [&](std::ostream& out) { out << document_of(chain, files); });
 }
 
-Chain load_chain(const std::string& path) {
+Chain load_chain(const std::string& path, const std::optional<glm::dvec3>& origin) {
   try {
-    return Reader(path).read();
+    return Reader(path).read(origin);
   } catch (const std::runtime_error& error) {
     throw std::runtime_error(path + ": " + error.what());
   }

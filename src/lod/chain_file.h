@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -18,8 +19,9 @@ std::vector<std::string> chain_files(const std::string& path, std::size_t level_
 // caller renames when all are complete. Throws std::runtime_error with one line naming the file that cannot be written.
 void write_chain(const Chain& chain, const std::string& path, std::span<const std::string> targets);
 
-// Bit for bit what was written. Throws std::runtime_error with one line naming the file, the place in it and the fault:
-// missing, no such document, epsilons or ranges that make no chain, a mesh that does not fit.
-Chain load_chain(const std::string& path);
+// Bit for bit what was written. The meshes' origin is `origin`, or without it that of level 0. Throws
+// std::runtime_error with one line naming the file, the place in it and the fault: missing, no such document, epsilons
+// or ranges that make no chain, a mesh that does not fit.
+Chain load_chain(const std::string& path, const std::optional<glm::dvec3>& origin = {});
 
 }  // namespace lkao::lod

@@ -83,6 +83,19 @@ std::size_t part_size(const Method& method, const Method* check, int ray_count, 
   return is_whole ? std::max<std::size_t>(receiver_count, 1) : kRaysPerPart / static_cast<std::size_t>(ray_count);
 }
 
+// Of `function` of the occlusion of valid receivers; NaN where there is none.
+template <class Function>
+double mean_of_valid(std::span<const float> occlusion, const Function& function) {
+  double sum = 0;
+  std::size_t count = 0;
+  for (const float value : occlusion) {
+    if (std::isnan(value)) continue;
+    sum += function(value);
+    ++count;
+  }
+  return count == 0 ? std::numeric_limits<double>::quiet_NaN() : sum / static_cast<double>(count);
+}
+
 }  // namespace
 
 Batch run_batch(Method& method, int ray_count, std::span<const Receiver> receivers, const BatchOptions& options) {
@@ -117,14 +130,11 @@ Batch run_batch(Method& method, int ray_count, std::span<const Receiver> receive
 }
 
 double Batch::occlusion_mean() const {
-  double sum = 0;
-  std::size_t count = 0;
-  for (const float value : occlusion) {
-    if (std::isnan(value)) continue;
-    sum += value;
-    ++count;
-  }
-  return count == 0 ? std::numeric_limits<double>::quiet_NaN() : sum / static_cast<double>(count);
+  return mean_of_valid(occlusion, [](float value) { return static_cast<double>(value); });
+}
+
+double Batch::fully_blocked_share() const {
+  return mean_of_valid(occlusion, [](float value) { return value >= 1 ? 1.0 : 0.0; });
 }
 
 }  // namespace lkao::method

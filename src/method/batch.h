@@ -36,6 +36,8 @@ struct Batch {
 
   // Mean over the valid receivers; NaN where there is none.
   double occlusion_mean() const;
+  // Of the valid receivers, those of occlusion 1; NaN where there is none.
+  double fully_blocked_share() const;
 };
 
 // Asks for every receiver; receiver k has index k, and casts `ray_count` rays. The methods must be prepared. A method

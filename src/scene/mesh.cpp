@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -59,6 +60,21 @@ void append(Mesh& mesh, const Mesh& part) {
     mesh.triangles.push_back(triangle + static_cast<std::uint32_t>(first));
   }
   append_normals(mesh, part);
+}
+
+void turn_round(Mesh& mesh) {
+  for (glm::uvec3& triangle : mesh.triangles) std::swap(triangle.y, triangle.z);
+  for (glm::uvec3& corners : mesh.normal_corners) std::swap(corners.y, corners.z);
+  for (glm::vec3& normal : mesh.normals) normal = -normal;
+}
+
+std::size_t count_corners_without_normal(const Mesh& mesh) {
+  if (mesh.normal_corners.empty()) return 3 * mesh.triangles.size();
+  std::size_t count = 0;
+  for (const glm::uvec3& corners : mesh.normal_corners) {
+    for (int i = 0; i < 3; ++i) count += corners[i] == kNoNormal ? 1 : 0;
+  }
+  return count;
 }
 
 std::vector<glm::vec3> vertex_normals(const Mesh& mesh) {

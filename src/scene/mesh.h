@@ -1,6 +1,7 @@
 // An indexed triangle mesh that owns its arrays.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -32,6 +33,12 @@ Bounds bounds_of(const Mesh& mesh);
 
 // Adds the triangles of `part`, which has the same origin, behind those of `mesh`.
 void append(Mesh& mesh, const Mesh& part);
+
+// Turns all triangles round, with their normals: what was inside is outside.
+void turn_round(Mesh& mesh);
+
+// Of all corners of triangles, those for which no normal came with the mesh.
+std::size_t count_corners_without_normal(const Mesh& mesh);
 
 // Unit normals, one a vertex, weighted by the angles of the triangles around it; zero where there is no usable
 // triangle.

@@ -49,7 +49,7 @@ TEST_F(BadInput, MissingRadiusSuggestsSome) {
 }
 
 TEST_F(BadInput, Radius) {
-  for (const char* radius : {"0", "-1", "nan", "-inf", "1e999", ""}) {
+  for (const char* radius : {"0", "-1", "nan", "-inf", "1e999", "", "0%", "inf%", "5 %"}) {
     expect_rejected(render("builtin:wall", {"--radius", radius}), {"--radius", "above 0, or inf"});
   }
 }

@@ -35,6 +35,22 @@ TEST_F(Info, ShowsBoundsAndSuggestsRadii) {
   EXPECT_EQ(json["diagonal"], 5);
   EXPECT_NEAR(json["suggested_radii"]["small"], 0.07, 1e-6);  // 1.4 % of 5
   EXPECT_NEAR(json["suggested_radii"]["large"], 0.21, 1e-6);  // 4.2 % of 5
+  EXPECT_NEAR(json["suggested_radii"]["small_percent"], 1.4, 1e-5);
+  EXPECT_NEAR(json["suggested_radii"]["large_percent"], 4.2, 1e-5);
+  const std::string row =
+      "0.07 (small, 1.4 % of the diagonal), 0.21 (large, 4.2 % of the diagonal), in the file's unit\n";
+  EXPECT_NE(expect_success({"info", scene}).out.find(row), std::string::npos);
+}
+
+TEST_F(Info, TellsWhatComesWithTheTriangles) {
+  const std::string bare = write_file("bare.obj", "v 0 0 0\nv 3 0 0\nv 0 4 0\nf 1 2 3\n");
+  EXPECT_EQ(info(bare)["normals"], (nlohmann::json{{"count", 0}, {"corners_without", 3}}));
+  const nlohmann::json json = info("builtin:disk");
+  EXPECT_EQ(json["origin"], nlohmann::json({0, 0, 0}));
+  for (const char* key : {"nodes", "instances", "hidden_nodes", "uv_sets", "cut_out_triangles"}) {
+    EXPECT_EQ(json[key], 0) << key;
+  }
+  EXPECT_EQ(json["remarks"], nlohmann::json::array());
 }
 
 TEST_F(Info, ASceneWithoutAnyFinitePointHasNoBounds) {

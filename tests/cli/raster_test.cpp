@@ -63,6 +63,18 @@ class RasterRender : public ProgramTest {
   std::unique_ptr<gl::HeadlessContext> software_;
 };
 
+TEST_F(RasterRender, DrawsWhatSurroundsTheSceneToo) {
+  const Arguments more = {
+      "--ground", "--blockers",
+      write_file("roof.ply", ply_bytes({{-9, 1.2f, -9}, {9, 1.2f, -9}, {0, 1.2f, 9}}, {{0, 2, 1}}))};
+  expect_success(render("raster", "33x17"));
+  const std::vector<float> alone = channel("raster.exr", "occlusion");
+  expect_success(render("bvh", "33x17", more));
+  expect_success(render("raster", "33x17", more));
+  EXPECT_NE(channel("raster.exr", "occlusion"), alone);
+  EXPECT_LT(image::compare(channel("raster.exr", "occlusion"), channel("bvh.exr", "occlusion")).mae, 1e-4);
+}
+
 TEST_F(RasterRender, IsThePictureOfTheTraversal) {
   const Arguments layers = {"--bent-normals", "--depth", "--normals", "--seed", "4"};
   for (const char* size : {"1x1", "33x17", "17x33", "64x48"}) {

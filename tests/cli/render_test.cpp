@@ -78,6 +78,19 @@ TEST_F(Render, AnInfiniteRadiusIsOneBeyondTheScene) {
   EXPECT_EQ(render("inf", {"--falloff", "linear"}), expected);  // a share of infinity is infinite
 }
 
+TEST_F(Render, ARadiusMayBeAShareOfTheDiagonal) {
+  const nlohmann::json info = nlohmann::json::parse(expect_success({"info", "builtin:wall", "--json", "-"}).out);
+  const auto render = [&](const std::string& radius, const std::string& name) {
+    expect_success({"render", "builtin:wall", "--size", "32x24", "--samples", "64", "-o", path(name), "--json",
+                    path("out.json"), "--radius", radius});
+    return read_json("out.json")["radius"].get<double>();
+  };
+  const double length = render("0.25%", "share.exr");
+  EXPECT_DOUBLE_EQ(length, 0.0025 * info["diagonal"].get<double>());
+  EXPECT_EQ(render(nlohmann::json(length).dump(), "length.exr"), length);
+  EXPECT_TRUE(read_file("share.exr") == read_file("length.exr"));
+}
+
 TEST_F(Render, MeanOcclusionIsThatOfTheImage) {
   expect_success(wall({"-o", path("out.exr"), "--depth", "--json", path("out.json")}));
   const image::Image image = image::read_image(path("out.exr"));

@@ -50,13 +50,14 @@ TEST_F(Simplify, JsonReportsWhatWasMeasured) {
                                               json["duplicates_left_out"].get<int>());
 }
 
-TEST_F(Simplify, AnInfiniteRadiusIsTheScenesDiagonal) {
+TEST_F(Simplify, RadiiMayBeSharesOfTheScenesDiagonalOrInfinite) {
   const auto levels = [&](const std::string& radius) {
     const ProgramResult result = expect_success(simplify("builtin:disk", {"--radius", radius, "--json", "-"}));
     return nlohmann::json::parse(result.out)["levels"];
   };
   const nlohmann::json info = nlohmann::json::parse(expect_success({"info", "builtin:disk", "--json", "-"}).out);
   EXPECT_NEAR(levels("inf")[3]["r_min"].get<double>(), info["diagonal"].get<double>() / 2, 1e-5);
+  EXPECT_NEAR(levels("5%")[3]["r_min"].get<double>(), 0.05 * info["diagonal"].get<double>() / 2, 1e-5);
 }
 
 TEST_F(Simplify, TheTableHasARowForEachLevel) {

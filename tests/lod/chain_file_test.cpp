@@ -62,6 +62,31 @@ TEST_F(ChainFile, ComesBackBitForBit) {
   }
 }
 
+// Of a scene far from zero: all levels are taken relative to one origin, the scene's.
+TEST_F(ChainFile, LevelsHaveTheSameOrigin) {
+  const auto far_triangle = [](const char* x) {
+    return std::string(
+               "ply\nformat ascii 1.0\nelement vertex 3\nproperty double x\nproperty double y\n"
+               "property double z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n") +
+           x + " 5413678 0\n448263 5413678 0\n448262 5413679 0\n3 0 1 2\n";
+  };
+  image::put(folder_ / "far.0.ply", far_triangle("448262"));
+  image::put(folder_ / "far.1.ply", far_triangle("448102"));  // alone it would choose another
+  const std::string path = folder_ / "far.json";
+  image::put(path, R"({"format": "lkao levels of detail", "version": 1, "k": 3, "growth": 3, "levels": [
+      {"mesh": "far.0.ply", "vertices": 3, "triangles": 1, "epsilon": 0, "r_min": 0, "r_max": 3},
+      {"mesh": "far.1.ply", "vertices": 3, "triangles": 1, "epsilon": 1, "r_min": 3, "r_max": null}]})");
+  for (const std::optional<glm::dvec3> origin : {std::optional<glm::dvec3>{}, {glm::dvec3(448000, 5413000, 0)}}) {
+    const Chain chain = load_chain(path, origin);
+    EXPECT_NE(chain.levels[0].mesh.origin, glm::dvec3(0));
+    if (origin) {
+      EXPECT_EQ(chain.levels[0].mesh.origin, *origin);
+    }
+    EXPECT_EQ(chain.levels[1].mesh.origin, chain.levels[0].mesh.origin);
+    EXPECT_EQ(chain.levels[1].mesh.positions[1], chain.levels[0].mesh.positions[1]);
+  }
+}
+
 TEST_F(ChainFile, MayMoveAsAWhole) {
   const std::string other = folder_ / "moved";
   std::filesystem::create_directory(other);

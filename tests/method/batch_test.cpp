@@ -52,6 +52,15 @@ TEST(Batch, PartsCoverAllReceiversInOrder) {
   EXPECT_FALSE(batch.check.has_value());
 }
 
+TEST(Batch, CountsWhatIsFullyBlockedAmongValidReceivers) {
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  Batch batch;
+  EXPECT_TRUE(std::isnan(batch.fully_blocked_share()));
+  batch.occlusion = {1, nan, 0.999f, 1, 0, nan};
+  EXPECT_EQ(batch.fully_blocked_share(), 0.5);
+  EXPECT_NEAR(batch.occlusion_mean(), 2.999 / 4, 1e-6);
+}
+
 TEST(Batch, MethodsThatDrawAnswerOnce) {
   Pretender method({}, 2), check({.any_receivers = false}, 2);
   run_batch(method, 64, kReceivers, {.check = &check});

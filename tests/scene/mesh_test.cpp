@@ -22,6 +22,25 @@ constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 Mesh unit_triangle() { return {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}}; }
 
+TEST(TurnRound, TurnsTrianglesAndTheirNormals) {
+  Mesh mesh = unit_triangle();
+  mesh.normals = {{0, 0, 1}, {1, 0, 0}, {0, 1, 0}};
+  mesh.normal_corners = {{0, 1, 2}};
+  turn_round(mesh);
+  EXPECT_EQ(mesh.triangles, (std::vector<glm::uvec3>{{0, 2, 1}}));
+  EXPECT_EQ(mesh.normals[0], glm::vec3(0, 0, -1));
+  EXPECT_EQ(mesh.normal_corners, (std::vector<glm::uvec3>{{0, 2, 1}}));  // each corner keeps its own
+  EXPECT_EQ(vertex_normals(mesh)[0], glm::vec3(0, 0, -1));
+}
+
+TEST(Mesh, CountsCornersWithoutNormal) {
+  Mesh mesh = unit_triangle();
+  EXPECT_EQ(count_corners_without_normal(mesh), 3);
+  mesh.normals = {{0, 0, 1}};
+  mesh.normal_corners = {{0, kNoNormal, 0}};
+  EXPECT_EQ(count_corners_without_normal(mesh), 1);
+}
+
 TEST(ZeroArea, CornersOnALineHaveNone) {
   EXPECT_TRUE(bvh::has_zero_area({1, 2, 3}, {1, 2, 3}, {4, 5, 6}));
   EXPECT_TRUE(bvh::has_zero_area({0, 0, 0}, {1, 1, 1}, {3, 3, 3}));

@@ -23,6 +23,7 @@
 
 #include "image/image.h"
 #include "image/metrics.h"
+#include "method/radius.h"
 #include "method/stopwatch.h"
 #include "reference/embree_scene.h"
 #include "scene/builtin.h"
@@ -31,8 +32,7 @@
 namespace {
 
 struct Options {
-  std::string scene = "builtin:atrium", ao = "embree", output;
-  float radius = 0;
+  std::string scene = "builtin:atrium", ao = "embree", radius, output;
   int ray_count = 128, width = 640, height = 480;
 };
 
@@ -138,7 +138,9 @@ void run(const Options& options) {
   const lkao::scene::Mesh mesh = lkao::scene::load(options.scene);
   const Scene scene{mesh, lkao::reference::EmbreeScene(mesh.view(), false)};
   const lkao::Bounds bounds = lkao::scene::bounds_of(mesh);
-  const float radius = options.radius > 0 ? options.radius : lkao::scene::suggest_radii(bounds).large;
+  const float radius = options.radius.empty()
+                           ? lkao::scene::suggest_radii(bounds).large
+                           : static_cast<float>(lkao::method::parse_radius(options.radius).in(bounds));
   const lkao::scene::Camera camera =
       options.scene.starts_with("builtin:")
           ? lkao::scene::builtin_scene(options.scene.substr(8)).camera
@@ -174,7 +176,8 @@ int main(int argc, char** argv) {
   CLI::App app("Renders ambient occlusion on Embree, with or without lkao.", "host_renderer");
   app.add_option("scene", options.scene, "mesh file or builtin:NAME")->capture_default_str();
   app.add_option("--ao", options.ao)->check(CLI::IsMember({"embree", "lkao", "both"}))->capture_default_str();
-  app.add_option("--radius", options.radius, "AO radius (default: one that suits the scene)");
+  app.add_option("--radius", options.radius,
+                 "AO radius: a length, 5% of the scene's diagonal, or inf (default: one that suits the scene)");
   app.add_option("--rays", options.ray_count, "a pixel: 64, 128, ... 1024")->capture_default_str();
   app.add_option("--width", options.width)->check(CLI::Range(1, 8192))->capture_default_str();
   app.add_option("--height", options.height)->check(CLI::Range(1, 8192))->capture_default_str();

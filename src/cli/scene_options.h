@@ -1,0 +1,29 @@
+// The scene on the command line: a mesh, and what is put around it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace lkao::cli {
+
+struct SceneOptions {
+  std::string name;  // a mesh file, or builtin:NAME
+  bool flip = false;
+  bool ground = false;
+  std::vector<std::string> blockers = {};  // mesh files
+
+  bool has_surroundings() const { return ground || !blockers.empty(); }
+  // All that is read: names that are no files do no harm.
+  std::vector<std::string> inputs() const;
+};
+
+// The argument SCENE alone.
+void add_scene_argument(CLI::App& app, std::string& name);
+// SCENE, --flip, --ground and --blockers. `ground_help` says what becomes of the ground.
+void add_scene_options(CLI::App& app, SceneOptions& options, const std::string& ground_help);
+
+}  // namespace lkao::cli
