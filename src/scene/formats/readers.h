@@ -16,7 +16,8 @@ FileMesh read_ply(std::string_view bytes);
 // OFF, with or without normals, colours and texture coordinates; comments anywhere.
 FileMesh read_off(std::string_view bytes);
 
-// glTF 2.0 and GLB, whatever the file's name ends in. Buffers in files of their own are found beside `path`.
+// glTF 2.0 and GLB, whatever the file's name ends in. Buffers in files of their own are found beside `path`. What is
+// shown or used many times takes its memory as often.
 FileMesh read_gltf(const std::string& path, std::string_view bytes);
 
 // OBJ and STL through assimp. `bytes` is the content of the file, to check that what assimp hands over is all that is
