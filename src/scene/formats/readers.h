@@ -28,7 +28,8 @@ FileMesh read_obj(std::string_view bytes, const ReadBeside& read_beside);
 // STL: text and binary. Corners at equal positions are joined; normals and colours are not read.
 FileMesh read_stl(std::string_view bytes);
 
-// glTF 2.0 and GLB, whatever the file's name ends in. Buffers in files of their own are found beside `path`.
+// glTF 2.0 and GLB, whatever the file's name ends in. Buffers in files of their own are found beside `path`. What is
+// shown or used many times takes its memory as often.
 FileMesh read_gltf(const std::string& path, std::string_view bytes);
 
 }  // namespace lkao::scene
