@@ -16,15 +16,15 @@ namespace lkao::scene {
 
 // An ear is a corner whose neighbours see each other inside the polygon. In a simple polygon a corner that is no ear
 // becomes one only when a neighbour goes, so each corner is looked at again just then. Corners at the same place
-// (holes that a bridge joins to the outline), straight corners and spikes are understood; where a polygon cuts itself
-// corners are clipped in any order. A time that grows with the square of the corners is given up for a wrong cut.
+// (holes that a bridge joins to the outline), straight corners and spikes are understood. Where a polygon cuts itself
+// there may be no ear, and made to that end a large one could take hours to look through: then any corner is clipped.
 class EarClipper {
  public:
   // Adds n - 2 triangles of a polygon that runs counterclockwise and has n >= 3 finite corners.
   void clip(std::span<const glm::dvec2> polygon, std::vector<glm::uvec3>& triangles);
 
  private:
-  // Which corners may go, tried in this order.
+  // Which corners may go, tried in this order. An open ear is one but for what touches its border.
   enum Rule { kSpike, kEar, kFlat, kOpenEar, kAny, kRuleCount };
 
   struct Candidate {

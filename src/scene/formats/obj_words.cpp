@@ -25,7 +25,9 @@ const char* ObjWords::behind_continuation(const char* at) const {
 }
 
 bool ObjWords::is_word_end(const char* at) const {
-  return at == end_ || is_blank_or_line_end(*at) || *at == '#' || behind_continuation(at) != nullptr;
+  if (at == end_ || is_blank_or_line_end(*at)) return true;
+  if (*at == '#') return at[-1] != '.';  // "1.#IND" is a number on Windows
+  return behind_continuation(at) != nullptr;
 }
 
 void ObjWords::skip_line() {
