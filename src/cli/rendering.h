@@ -28,11 +28,13 @@ struct RenderingOptions {
   CameraOptions camera;
   OcclusionOptions occlusion;
   std::optional<LodOption> lod;
+  std::optional<scene::NormalSource> normals;
 };
 
 struct Rendering {
   SceneInput scene;
   scene::Camera camera;
+  scene::NormalSource normals = scene::NormalSource::facet;
   std::optional<lod::Chain> chain;  // where there are levels of detail
   double lod_seconds = 0;
   double build_seconds = 0;  // of what methods share
