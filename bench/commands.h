@@ -24,6 +24,8 @@ Command add_build_command(CLI::App& program);
 Command add_raster_command(CLI::App& program);
 // Levels of detail, by every method that takes them.
 Command add_lod_command(CLI::App& program);
+// Baked values of vertices against occlusion all over the faces.
+Command add_bake_command(CLI::App& program);
 // Plane mask tables by size and kind.
 Command add_tables_command(CLI::App& program);
 // Sample patterns against the integral.

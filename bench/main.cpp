@@ -18,7 +18,7 @@ std::vector<Command> add_commands(CLI::App& program) {
 #if LKAO_BENCH_GL
         add_raster_command(program),
 #endif
-        add_lod_command(program), add_tables_command(program), add_patterns_command(program),
+        add_lod_command(program), add_bake_command(program), add_tables_command(program), add_patterns_command(program),
   };
 }
 

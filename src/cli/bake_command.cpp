@@ -1,4 +1,4 @@
-// lkao bake: occlusion per vertex of a mesh.
+// lkao bake: occlusion per vertex, corner or face of a mesh.
 #include <cmath>
 #include <cstdio>
 #include <fstream>
@@ -10,98 +10,68 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include "cli/baking.h"
 #include "cli/commands.h"
 #include "cli/json_output.h"
 #include "cli/method_options.h"
+#include "cli/normals_option.h"
 #include "cli/options.h"
 #include "cli/output_files.h"
 #include "cli/parse.h"
 #include "cli/parsed_option.h"
 #include "cli/progress_bar.h"
 #include "cli/report.h"
-#include "cli/scene_input.h"
-#include "method/batch.h"
 #include "method/setting_options.h"
+#include "scene/obj_writer.h"
 #include "scene/ply_writer.h"
 
 namespace lkao::cli {
 namespace {
 
+using bake::Per;
+
+constexpr method::Word<Per> kPerWords[] = {{"vertex", Per::vertex}, {"corner", Per::corner}, {"face", Per::face}};
+constexpr method::Word<Filter> kFilterWords[] = {{"none", Filter::none}, {"least-squares", Filter::least_squares}};
+
 struct BakeOptions {
-  SceneOptions scene;
-  glm::vec3 up{0, 1, 0};
   std::string output;
-  OcclusionOptions occlusion;
-  MethodOptions method;  // the traversal
+  BakingOptions baking;
+  scene::OcclusionProperties properties;
+  bool linear = false;
   CommonOptions common;
+
+  bool wants_obj() const { return ending_of(output) == ".obj"; }
 };
 
-struct Bake {
-  SceneInput scene;
-  double radius = 0;  // in the scene's unit
-  double build_seconds = 0;
-  method::Batch batch;  // receiver k is vertex k
-  method::Remarks remarks;
-};
-
-std::vector<Receiver> vertex_receivers(const scene::Mesh& mesh) {
-  const std::vector<glm::vec3> normals = scene::vertex_normals(mesh);
-  std::vector<Receiver> receivers(mesh.positions.size());
-  for (std::size_t i = 0; i < receivers.size(); ++i) {
-    receivers[i].position = mesh.positions[i];
-    receivers[i].normal = normals[i];
-  }
-  return receivers;
-}
-
-Bake compute(const BakeOptions& options, ProgressBar& progress) {
-  Bake result;
-  progress.begin("loading " + options.scene.name);
-  result.scene = load_scene(options.scene);
+void write_mesh(const std::string& path, const BakeOptions& options, const Baking& result) {
   const scene::Mesh& mesh = result.scene.mesh;
-  result.radius = resolve_radius(options.occlusion.radius, result.scene);
-  add_surroundings(result.scene, options.scene, options.up, result.radius);
-  progress.clear();
-  print_notes(result.scene.notes);
-
-  progress.begin("building the hierarchy");
-  method::Occluders occluders(result.scene.occluders());
-  const method::Question question = options.occlusion.question(result.radius);
-  const std::unique_ptr<method::Method> method = options.method.kind->open(options.method.settings);
-  method->prepare({occluders, question});
-  result.build_seconds = occluders.build_seconds();
-
-  const std::vector<Receiver> receivers = vertex_receivers(mesh);
-  result.batch = method::run_batch(*method, question.ray_count, receivers,
-                                   {.progress = progress.watch("casting rays", receivers.size())});
-  result.remarks = method->remarks();
-  progress.clear();
-  return result;
-}
-
-void write_mesh(const std::string& path, const Bake& result) {
   std::vector<float> occlusion = result.batch.occlusion;
-  for (float& value : occlusion) value = std::isnan(value) ? 0 : value;  // vertices without a usable normal
+  for (float& value : occlusion) value = std::isnan(value) ? 0 : value;
   std::ofstream file(path, std::ios::binary);
-  scene::write_ply(file, result.scene.mesh, occlusion);
+  if (options.wants_obj()) {
+    scene::write_obj(file, mesh, occlusion, options.properties.coding);
+  } else if (options.baking.per == Per::face) {
+    scene::write_ply_of_faces(file, mesh, occlusion, options.properties);
+  } else {
+    scene::write_ply(file, mesh, occlusion, options.properties);
+  }
   file.close();
   if (!file) throw std::runtime_error(fmt::format("cannot write '{}'", path));
 }
 
-std::size_t receiver_count(const Bake& result) {
-  return result.batch.occlusion.size() - result.batch.invalid_receiver_count;
-}
-
-Json document_of(const BakeOptions& options, const Bake& result) {
+Json document_of(const BakingOptions& options, const Baking& result) {
   Json document;
   document["method"] = options.method.kind->word;
   document["scene"] = options.scene.name;
   document["radius"] = result.radius;
   document["samples"] = options.occlusion.ray_count;
-  document["vertices"] = result.batch.occlusion.size();
-  document["receivers"] = receiver_count(result);
+  document["per"] = word_of(kPerWords, options.per);
+  document["filter"] = word_of(kFilterWords, options.filter);
+  document["normals"] = word_of(kNormalSourceWords, result.normals);
+  document["vertices"] = result.scene.mesh.positions.size();
+  document["receivers"] = result.receiver_count;
   add_batch_keys(document, *options.method.kind, result.batch);
-  document["vertices_without_normal"] = result.batch.invalid_receiver_count;
+  document["vertices_without_normal"] = options.per == Per::face ? 0 : result.bare_count;
   add_setting_keys(document, options.occlusion);
   add_remark_keys(document, result.remarks);
   add_scene_keys(document, result.scene);
@@ -110,63 +80,112 @@ Json document_of(const BakeOptions& options, const Bake& result) {
   return document;
 }
 
-void print_table(const BakeOptions& options, const Bake& result) {
+void print_table(const BakeOptions& options, const Baking& result) {
   Table table;
   add_scene_row(table, result.scene);
   add_surroundings_row(table, options.scene, result.scene);
   table.add("prepared",
             fmt::format("{:.3f} s to load, {:.3f} s to build", result.scene.load_seconds, result.build_seconds));
-  table.add("receivers",
-            fmt::format("{} of {} vertices", grouped(receiver_count(result)), grouped(result.batch.occlusion.size())));
-  add_batch_rows(table, *options.method.kind, result.batch);
+  table.add("normals", std::string(word_of(kNormalSourceWords, result.normals)));
+  table.add("receivers", fmt::format("{} for {} {}", grouped(result.receiver_count),
+                                     grouped(result.batch.occlusion.size() - result.bare_count),
+                                     options.baking.per == Per::face ? "faces" : "vertices"));
+  add_batch_rows(table, *options.baking.method.kind, result.batch);
   table.add("wrote", options.output);
   table.print();
 }
 
-void report_vertices_without_normal(const Bake& result) {
-  const std::size_t count = result.batch.invalid_receiver_count;
-  if (count == 0) return;
-  fmt::print(stderr, "lkao: {}: {} without a usable normal {} occlusion 0\n", result.scene.name,
-             count == 1 ? "1 vertex" : fmt::format("{} vertices", count), count == 1 ? "gets" : "get");
+void report_oddities(const BakeOptions& options, const Baking& result) {
+  const std::size_t count = result.bare_count;
+  if (count > 0 && options.baking.per != Per::face) {
+    fmt::print(stderr, "lkao: {}: {} without a usable normal {} occlusion 0\n", result.scene.name,
+               count == 1 ? "1 vertex" : fmt::format("{} vertices", count), count == 1 ? "gets" : "get");
+  }
+  report_fully_blocked(result.scene, options.baking.per == Per::face ? "faces" : "vertices", result.batch,
+                       result.radius);
+  const glm::dvec3& origin = result.scene.mesh.origin;
+  if (origin != glm::dvec3(0.0) && !options.wants_obj()) {
+    fmt::print(stderr, "lkao: {}: coordinates are less the origin {:.17g} {:.17g} {:.17g}, which its header names\n",
+               options.output, origin.x, origin.y, origin.z);
+  }
+}
+
+// Faults of the options that need no scene to be seen.
+void check_options(const BakeOptions& options) {
+  const bool is_obj = options.wants_obj();
+  if (!is_obj && ending_of(options.output) != ".ply") {
+    throw std::invalid_argument(
+        fmt::format("--output: expected a name ending in .ply or .obj, got '{}'", options.output));
+  }
+  if (is_obj && options.properties.quality) {
+    throw std::invalid_argument("--quality: an .obj has colours alone; write a .ply");
+  }
+  if (is_obj && options.baking.per == Per::face) {
+    throw std::invalid_argument("--per face: an .obj has colours of vertices alone; write a .ply");
+  }
+  if (options.baking.per == Per::face && options.baking.filter != Filter::none) {
+    throw std::invalid_argument("--filter least-squares is for --per vertex and corner, not for --per face");
+  }
+  check_lengths(options.baking.method, options.baking.occlusion);
 }
 
 void bake(const BakeOptions& options) {
-  if (ending_of(options.output) != ".ply") {
-    throw std::invalid_argument(fmt::format("--output: expected a name ending in .ply, got '{}'", options.output));
-  }
-  check_lengths(options.method, options.occlusion);
-  OutputFiles outputs(options.scene.inputs());
+  check_options(options);
+  OutputFiles outputs(options.baking.scene.inputs());
   const std::string mesh_path = outputs.claim(options.output);
   const JsonOutput json(options.common.json_path, outputs);
 
   ProgressBar progress(!options.common.quiet);
-  const Bake result = compute(options, progress);
-  report_vertices_without_normal(result);
-  report_fully_blocked(result.scene, "vertices", result.batch, result.radius);
-  write_mesh(mesh_path, result);
-  json.write_and_commit(document_of(options, result));
+  const Baking result = compute_baking(options.baking, progress);
+  report_oddities(options, result);
+  write_mesh(mesh_path, options, result);
+  json.write_and_commit(document_of(options.baking, result));
   if (options.common.wants_table()) print_table(options, result);
 }
 
+void add_baking_options(CLI::App& app, BakingOptions& options) {
+  add_occlusion_options(app, options.occlusion);
+  add_normals_option(app, options.normals);
+  add_parsed(
+      app, "--per", options.per, [](const std::string& text) { return method::parse_word(kPerWords, text); },
+      "What gets a value each: vertex; corner, where vertices are split along creases; or face (default: vertex)")
+      ->type_name(method::join(method::list_words(kPerWords), "|"));
+  add_parsed(
+      app, "--filter", options.filter, [](const std::string& text) { return method::parse_word(kFilterWords, text); },
+      "Values of vertices: none, the occlusion at the vertex; or least-squares, what fits all of the faces best, for "
+      "coarse meshes (default: none)")
+      ->type_name(method::join(method::list_words(kFilterWords), "|"));
+  method::add_setting_options(app, options.method.settings, {options.method.kind});
+}
+
 void add_options(CLI::App& app, BakeOptions& options) {
-  add_scene_options(app, options.scene, "gets nothing");
-  add_parsed(app, "--up", options.up, parse_vector, "What is up, for --ground (default: 0,1,0)")->type_name("X,Y,Z");
-  app.add_option("-o,--output", options.output, "Mesh: a .ply with occlusion and grey colour per vertex")
+  add_scene_options(app, options.baking.scene, "gets nothing");
+  add_parsed(app, "--up", options.baking.up, parse_vector, "What is up, for --ground (default: 0,1,0)")
+      ->type_name("X,Y,Z");
+  app.add_option("-o,--output", options.output,
+                 "Mesh: a .ply with occlusion and grey colour, or an .obj with grey colour; grey is the visibility, 1 "
+                 "less the occlusion, in sRGB")
       ->required()
       ->type_name("FILE");
-  add_occlusion_options(app, options.occlusion);
-  method::add_setting_options(app, options.method.settings, {options.method.kind});
+  app.add_flag("--linear", options.linear, "Grey without the curve of sRGB");
+  app.add_flag("--quality", options.properties.quality, "Add the property quality, the visibility, for MeshLab (.ply)");
+  add_baking_options(app, options.baking);
   add_common_options(app, options.common);
-  app.footer("Vertices keep their numbers. Those without a usable normal get occlusion 0 and are counted.");
+  app.footer(
+      "Every corner of a triangle is a receiver, a little inside the triangle, and casts --samples rays; a vertex has "
+      "the mean of its corners, weighted by their angles. With --per face and --filter least-squares receivers are "
+      "spread over the faces, 4 or more on each.\n"
+      "Vertices keep their numbers. Those without a usable normal get occlusion 0 and are counted.");
 }
 
 }  // namespace
 
 Command add_bake_command(CLI::App& program) {
   const auto options = std::make_shared<BakeOptions>();
-  CLI::App* const app = program.add_subcommand("bake", "Bake occlusion into the vertices of a mesh");
+  CLI::App* const app = program.add_subcommand("bake", "Bake occlusion into the vertices or faces of a mesh");
   add_options(*app, *options);
   const auto run = [options] {
+    options->properties.coding = options->linear ? scene::ColourCoding::linear : scene::ColourCoding::srgb;
     with_threads(options->common.thread_count, [&] { bake(*options); });
     return kSuccess;
   };

@@ -9,6 +9,7 @@
 #include "cli/commands.h"
 #include "cli/json_output.h"
 #include "cli/method_options.h"
+#include "cli/normals_option.h"
 #include "cli/options.h"
 #include "cli/output_files.h"
 #include "cli/parse.h"
@@ -48,6 +49,7 @@ Json document_of(const RenderingOptions& options, const Rendering& result) {
   document["invalid_receivers"] = result.batch.invalid_receiver_count;
   add_setting_keys(document, options.occlusion);
   add_remark_keys(document, result.remarks);
+  document["normals"] = word_of(kNormalSourceWords, result.normals);
   document["camera"] = camera_json(result.camera, result.scene.mesh.origin);
   add_scene_keys(document, result.scene);
   add_surroundings_keys(document, options.scene, result.scene);
@@ -99,8 +101,9 @@ void check_levels(const RenderingOptions& options) {
 void check_options(const RenderOptions& options) {
   const bool is_png = ending_of(options.output) == ".png";
   if (is_png && options.rendering.layers.any()) {
-    throw std::invalid_argument(fmt::format(
-        "'{}': a PNG holds the visibility only; --bent-normals, --depth and --normals need an .exr", options.output));
+    throw std::invalid_argument(
+        fmt::format("'{}': a PNG holds the visibility only; --bent-normals, --depth and --normal-channels need an .exr",
+                    options.output));
   }
   if (!options.preview.empty() && ending_of(options.preview) != ".png") {
     throw std::invalid_argument(fmt::format("--preview: expected a name ending in .png, got '{}'", options.preview));
@@ -154,6 +157,7 @@ void add_options(CLI::App& app, RenderOptions& options) {
   add_parsed(app, "--size", rendering.size, parse_size, "Pixels (default: 1024x768)")->type_name("WxH");
   add_camera_options(app, rendering.camera);
   add_occlusion_options(app, rendering.occlusion);
+  add_normals_option(app, rendering.normals);
   add_method_options(app, rendering.method);
   add_parsed(
       app, "--lod", rendering.lod, parse_lod,
@@ -165,7 +169,7 @@ void add_options(CLI::App& app, RenderOptions& options) {
                "Cast the same rays through Embree too (where it is the method: by bvh) and count differences");
   app.add_flag("--bent-normals", rendering.layers.bent_normals, "Add the channels bent.X, bent.Y, bent.Z (.exr)");
   app.add_flag("--depth", rendering.layers.depth, "Add the channel depth.Z: infinity where nothing is seen (.exr)");
-  app.add_flag("--normals", rendering.layers.normals, "Add the channels normal.X, normal.Y, normal.Z (.exr)");
+  app.add_flag("--normal-channels", rendering.layers.normals, "Add the channels normal.X, normal.Y, normal.Z (.exr)");
   add_common_options(app, options.common);
   app.footer("An .exr has the channel occlusion: 0 is open, 1 fully blocked, and 0 where nothing is seen.");
 }

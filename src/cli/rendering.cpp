@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "cli/normals_option.h"
 #include "method/occluders.h"
 #include "method/stopwatch.h"
 
@@ -30,6 +31,7 @@ void load(const RenderingOptions& options, Rendering& result, ProgressBar& progr
   progress.begin("loading " + options.scene.name);
   result.scene = load_scene(options.scene);
   result.radius = resolve_radius(options.occlusion.radius, result.scene);
+  result.normals = choose_normals(options.normals, result.scene);
   const float aspect = static_cast<float>(options.size.width) / static_cast<float>(options.size.height);
   result.camera = choose_camera(options.camera, result.scene, aspect);
   add_surroundings(result.scene, options.scene, result.camera.up, result.radius);
@@ -47,7 +49,8 @@ void make_levels(const RenderingOptions& options, float radius, Rendering& resul
 void find_receivers(const RenderingOptions& options, Rendering& result, ProgressBar& progress) {
   progress.begin("finding receivers");
   const Stopwatch watch;
-  result.view = scene::find_receivers(result.scene.seen(), result.camera, options.size.width, options.size.height);
+  result.view = scene::find_receivers(result.scene.seen(), result.camera, options.size.width, options.size.height,
+                                      result.normals);
   result.camera_seconds = watch.seconds();
 }
 

@@ -29,12 +29,14 @@ struct RenderingOptions {
   CameraOptions camera;
   OcclusionOptions occlusion;
   std::optional<LodOption> lod;
+  std::optional<scene::NormalSource> normals;
 };
 
 struct Rendering {
   SceneInput scene;
   double radius = 0;  // in the scene's unit
   scene::Camera camera;
+  scene::NormalSource normals = scene::NormalSource::facet;
   std::optional<lod::Chain> chain;  // where there are levels of detail
   double lod_seconds = 0;
   double build_seconds = 0;  // of what methods share

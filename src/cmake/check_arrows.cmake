@@ -3,13 +3,13 @@
 # Fails, naming each line, where a file includes what lies above it or beside it:
 #   include <- lut <- bvh <- src/query = lkao::lkao
 #   include <- lut <- gpu/gl <- gpu/frame <- gpu/mesh <- gpu/masks, gpu/frame <- gpu/screen: lkao::gl
-#   lkao::lkao <- src/scene <- src/reference, src/lod      lkao::gl, src/scene <- src/raster
-#   all of these, src/image <- src/method <- src/cli, bench
+#   lkao::lkao <- src/scene <- src/reference, src/lod, src/bake      lkao::gl, src/scene <- src/raster
+#   all of these but src/bake, src/image <- src/method; with it <- src/cli, bench
 
 cmake_minimum_required(VERSION 3.25)
 
 # The first folders of internal includes, and the libraries that only some parts may know.
-set(prefixes lkao lut bvh query scene lod image reference raster method cli bench gpu draco OpenMesh OpenImageIO
+set(prefixes lkao lut bvh query scene bake lod image reference raster method cli bench gpu draco OpenMesh OpenImageIO
              epoxy EGL tbb embree3)
 
 set(may_include_include/lkao lkao)
@@ -20,13 +20,14 @@ foreach(folder IN ITEMS gl frame mesh masks volumes screen)
   set(may_include_gpu/${folder} lkao lut gpu epoxy EGL)
 endforeach()
 set(may_include_src/scene lkao lut bvh query scene draco tbb embree3)
+set(may_include_src/bake lkao lut scene bake)
 set(may_include_src/lod lkao lut scene lod OpenMesh tbb embree3)
 set(may_include_src/image lkao image OpenImageIO)
 set(may_include_src/reference lkao lut bvh query scene reference tbb embree3)
 set(may_include_src/raster lkao gpu scene raster epoxy)
 set(may_include_src/method lkao scene lod image reference raster method tbb)
-set(may_include_src/cli lkao scene lod image method cli tbb)
-set(may_include_bench lkao lut bvh query scene lod image reference raster method bench tbb embree3)
+set(may_include_src/cli lkao scene bake lod image method cli tbb)
+set(may_include_bench lkao lut bvh query scene bake lod image reference raster method bench tbb embree3)
 
 # Within gpu/.
 set(gpu_may_include_gl gl)
@@ -72,7 +73,7 @@ function(judge PART FILE LINE)
 endfunction()
 
 foreach(part IN ITEMS include/lkao lut bvh gpu/gl gpu/frame gpu/mesh gpu/masks gpu/volumes gpu/screen src/query
-                      src/scene src/lod src/image src/reference src/raster src/method src/cli bench)
+                      src/scene src/bake src/lod src/image src/reference src/raster src/method src/cli bench)
   file(GLOB_RECURSE files RELATIVE "${ROOT}" "${ROOT}/${part}/*.h" "${ROOT}/${part}/*.cpp" "${ROOT}/${part}/*.glsl")
   foreach(file IN LISTS files)
     math(EXPR file_count "${file_count} + 1")

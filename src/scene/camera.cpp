@@ -1,6 +1,7 @@
 #include "scene/camera.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -13,9 +14,9 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
-#include "bvh/usable_triangle.h"
 #include "lut/coordinates.h"
 #include "scene/embree_handles.h"
+#include "scene/facet.h"
 
 namespace lkao::scene {
 
@@ -52,10 +53,7 @@ using embree::Scene;
 std::vector<glm::uvec3> visible_triangles(const Mesh& mesh) {
   std::vector<glm::uvec3> triangles = mesh.triangles;
   for (glm::uvec3& triangle : triangles) {
-    const glm::vec3& a = mesh.positions[triangle.x];
-    const glm::vec3& b = mesh.positions[triangle.y];
-    const glm::vec3& c = mesh.positions[triangle.z];
-    if (!lut::is_in_range(a, b, c) || bvh::has_zero_area(a, b, c)) triangle = glm::uvec3(triangle.x);
+    if (!Facet(mesh, triangle).is_usable()) triangle = glm::uvec3(triangle.x);
   }
   return triangles;
 }
@@ -111,20 +109,24 @@ Hit cast(RTCScene scene, const glm::dvec3& origin, const glm::dvec3& direction) 
   return {query.hit.primID, query.hit.u, query.hit.v};
 }
 
-Receiver receiver_at(const Mesh& mesh, const Hit& hit, const glm::dvec3& eye) {
-  const glm::uvec3& triangle = mesh.triangles[hit.triangle];
-  const glm::vec3& a = mesh.positions[triangle.x];
-  const glm::vec3& b = mesh.positions[triangle.y];
-  const glm::vec3& c = mesh.positions[triangle.z];
+Receiver receiver_at(const CornerNormals& normals, const Hit& hit, const glm::dvec3& eye) {
+  const Mesh& mesh = normals.mesh();
+  const Facet facet(mesh, mesh.triangles[hit.triangle]);
   // Robust hits may lie a rounding error outside; the surface ends at its edges.
   const double u = std::clamp(static_cast<double>(hit.u), 0.0, 1.0);
   const double v = std::clamp(static_cast<double>(hit.v), 0.0, 1.0 - u);
-  const glm::dvec3 position = (1 - u - v) * glm::dvec3(a) + u * glm::dvec3(b) + v * glm::dvec3(c);
-  glm::dvec3 normal = glm::normalize(bvh::area_vector(a, b, c));
-  if (glm::dot(normal, eye - position) < 0) normal = -normal;
+  const glm::dvec3 position = (1 - u - v) * glm::dvec3(facet.a) + u * glm::dvec3(facet.b) + v * glm::dvec3(facet.c);
+  const glm::dvec3 facet_normal = normals.facet(hit.triangle);
+  const double side = glm::dot(facet_normal, eye - position) < 0 ? -1 : 1;
   Receiver receiver;
   receiver.position = glm::vec3(position);
-  receiver.normal = glm::vec3(normal);
+  receiver.normal = glm::vec3(side * facet_normal);
+  if (normals.source() == NormalSource::facet) return receiver;
+  receiver.geometric_normal = receiver.normal;
+  const std::array<glm::vec3, 3> corners = normals.of(hit.triangle);
+  const glm::dvec3 normal =
+      (1 - u - v) * glm::dvec3(corners[0]) + u * glm::dvec3(corners[1]) + v * glm::dvec3(corners[2]);
+  receiver.normal = glm::vec3(side * glm::normalize(normal));
   return receiver;
 }
 
@@ -203,10 +205,11 @@ Camera frame(const Bounds& bounds, float aspect, const glm::vec3& up, float fov)
   return camera;
 }
 
-ReceiverImage find_receivers(const Mesh& mesh, const Camera& camera, int width, int height) {
+ReceiverImage find_receivers(const Mesh& mesh, const Camera& camera, int width, int height, NormalSource normals) {
   validate(camera);
   check_size(width, height);
   const View view = view_of(camera);
+  const CornerNormals corner_normals(mesh, normals);
   const Device device(rtcNewDevice(nullptr));
   if (!device) throw std::runtime_error("find_receivers: Embree cannot make a device");
   const Scene scene = make_scene(device.get(), mesh, visible_triangles(mesh));
@@ -224,7 +227,7 @@ ReceiverImage find_receivers(const Mesh& mesh, const Camera& camera, int width, 
       const std::size_t pixel =
           static_cast<std::size_t>(row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(column);
       Receiver& receiver = image.receivers[pixel];
-      receiver = receiver_at(mesh, hit, view.eye);
+      receiver = receiver_at(corner_normals, hit, view.eye);
       image.depth[pixel] = static_cast<float>(glm::dot(glm::dvec3(receiver.position) - view.eye, view.forward));
     }
   });

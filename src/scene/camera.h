@@ -8,6 +8,7 @@
 #include <glm/vec3.hpp>
 
 #include "lkao/ambient_occlusion.h"
+#include "scene/corner_normals.h"
 #include "scene/mesh.h"
 
 namespace lkao::scene {
@@ -31,9 +32,11 @@ Camera frame(const Bounds& bounds, float aspect, const glm::vec3& up = {0, 1, 0}
 struct ReceiverImage {
   int width = 0;
   int height = 0;
-  // One a pixel, so that a receiver's index in a batch is its pixel (row * width + column): position, and the
-  // triangle's normal turned towards the eye. No primitive is excluded: the query's surface offset keeps receivers off
-  // their own triangle. Where nothing is seen, the position is NaN and the normal zero: no query answers that.
+  // One a pixel, so that a receiver's index in a batch is its pixel (row * width + column): position, and the normal
+  // that was asked for. The triangle faces the eye: where the normal is not its own, its own, turned so, is the
+  // geometric normal, and the other lies on its side. No primitive is excluded: the query's surface offset keeps
+  // receivers off their own triangle. Where nothing is seen, the position is NaN and the normal zero: no query answers
+  // that.
   std::vector<Receiver> receivers;
   std::vector<float> depth;        // distance along the view axis, one a pixel; +infinity where nothing is seen
   std::size_t receiver_count = 0;  // of the pixels that see a triangle
@@ -43,9 +46,10 @@ struct ReceiverImage {
 
 // Casts one ray through the centre of each pixel, in parallel. Positions are interpolated from the triangle's corners,
 // not from the ray, so they lie on the surface to rounding. Triangles without area or with a non-finite corner are not
-// seen. Throws std::invalid_argument for a camera that validate() refuses and sizes outside 1 to 32768,
-// std::runtime_error where Embree runs out of memory.
-ReceiverImage find_receivers(const Mesh& mesh, const Camera& camera, int width, int height);
+// seen. Normals of corners are interpolated. Throws std::invalid_argument for a camera that validate() refuses and
+// sizes outside 1 to 32768, std::runtime_error where Embree runs out of memory.
+ReceiverImage find_receivers(const Mesh& mesh, const Camera& camera, int width, int height,
+                             NormalSource normals = NormalSource::facet);
 
 // The receivers of the pixels that see a triangle, in pixel order.
 std::vector<Receiver> seen_receivers(const ReceiverImage& image);

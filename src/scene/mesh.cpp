@@ -1,6 +1,5 @@
 #include "scene/mesh.h"
 
-#include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <utility>
@@ -8,17 +7,12 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "bvh/usable_triangle.h"
 #include "lut/coordinates.h"
+#include "scene/facet.h"
 
 namespace lkao::scene {
 
 namespace {
-
-// Angle between two edges; well conditioned for needles, unlike the arc cosine.
-double angle_between(const glm::dvec3& a, const glm::dvec3& b) {
-  return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
-}
 
 // Where only one of the meshes has normals, the corners of the other have none. The triangles are already joined.
 void append_normals(Mesh& mesh, const Mesh& part) {
@@ -81,17 +75,10 @@ std::vector<glm::vec3> vertex_normals(const Mesh& mesh) {
   // One pass in triangle order: sums of doubles come out the same on every run.
   std::vector<glm::dvec3> sums(mesh.positions.size(), glm::dvec3(0.0));
   for (const glm::uvec3& triangle : mesh.triangles) {
-    glm::vec3 corners[3];
-    for (int i = 0; i < 3; ++i) corners[i] = mesh.positions[triangle[i]];
-    if (!lut::is_in_range(corners[0], corners[1], corners[2])) continue;
-    if (bvh::has_zero_area(corners[0], corners[1], corners[2])) continue;
-    const glm::dvec3 normal = glm::normalize(bvh::area_vector(corners[0], corners[1], corners[2]));
-    for (int i = 0; i < 3; ++i) {
-      const glm::dvec3 p(corners[i]);
-      const glm::dvec3 to_next = glm::dvec3(corners[(i + 1) % 3]) - p;
-      const glm::dvec3 to_previous = glm::dvec3(corners[(i + 2) % 3]) - p;
-      sums[triangle[i]] += normal * angle_between(to_next, to_previous);
-    }
+    const Facet facet(mesh, triangle);
+    if (!facet.is_usable()) continue;
+    const glm::dvec3 normal = facet.normal();
+    for (int i = 0; i < 3; ++i) sums[triangle[i]] += normal * facet.angle(i);
   }
 
   std::vector<glm::vec3> normals(sums.size(), glm::vec3(0.0f));

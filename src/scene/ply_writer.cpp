@@ -1,6 +1,5 @@
 #include "scene/ply_writer.h"
 
-#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -42,56 +41,77 @@ class RecordBuffer {
   std::string bytes_;
 };
 
-// 8-bit sRGB grey of a visibility in [0, 1]; black where there is none (NaN).
-std::uint8_t grey_of(float visibility) {
-  if (!(visibility > 0)) return 0;
-  const double linear = std::min(static_cast<double>(visibility), 1.0);
-  const double encoded = linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
-  return static_cast<std::uint8_t>(std::lround(255 * encoded));
+// Lines of the header, one for each property of a vertex or a face.
+std::string lines_of(const OcclusionProperties& properties) {
+  std::string lines = "property float occlusion\nproperty uchar red\nproperty uchar green\nproperty uchar blue\n";
+  if (properties.quality) lines += "property float quality\n";
+  return lines;
 }
 
-void write_header(std::ostream& out, const Mesh& mesh, const char* more_of_a_vertex) {
+void write_header(std::ostream& out, const Mesh& mesh, const std::string& more_of_a_vertex,
+                  const std::string& more_of_a_face) {
+  out << "ply\nformat binary_little_endian 1.0\n";
+  const glm::dvec3& o = mesh.origin;
+  if (o != glm::dvec3(0.0)) out << fmt::format("comment origin {:.17g} {:.17g} {:.17g}\n", o.x, o.y, o.z);
   out << fmt::format(
-      "ply\nformat binary_little_endian 1.0\n"
       "element vertex {}\nproperty float x\nproperty float y\nproperty float z\n{}"
-      "element face {}\nproperty list uchar int vertex_indices\nend_header\n",
-      mesh.positions.size(), more_of_a_vertex, mesh.triangles.size());
+      "element face {}\nproperty list uchar int vertex_indices\n{}end_header\n",
+      mesh.positions.size(), more_of_a_vertex, mesh.triangles.size(), more_of_a_face);
 }
 
 void put_position(RecordBuffer& buffer, const glm::vec3& position) {
   for (int axis = 0; axis < 3; ++axis) buffer.put(position[axis]);
 }
 
-void put_faces(RecordBuffer& buffer, const Mesh& mesh) {
-  for (const glm::uvec3& triangle : mesh.triangles) {
-    buffer.put(std::uint8_t{3});
-    for (int corner = 0; corner < 3; ++corner) buffer.put(triangle[corner]);
-  }
+void put_face(RecordBuffer& buffer, const glm::uvec3& triangle) {
+  buffer.put(std::uint8_t{3});
+  for (int corner = 0; corner < 3; ++corner) buffer.put(triangle[corner]);
+}
+
+void put_occlusion(RecordBuffer& buffer, float occlusion, const OcclusionProperties& properties) {
+  buffer.put(occlusion);
+  const auto grey = static_cast<std::uint8_t>(std::lround(255 * grey_of(occlusion, properties.coding)));
+  for (int channel = 0; channel < 3; ++channel) buffer.put(grey);
+  if (properties.quality) buffer.put(1.0f - occlusion);
+}
+
+void check_size(std::span<const float> occlusion, std::size_t count, const char* what) {
+  if (occlusion.size() == count) return;
+  throw std::invalid_argument(
+      fmt::format("write_ply: occlusion has {} entries, the mesh has {} {}", occlusion.size(), count, what));
 }
 
 }  // namespace
 
 void write_ply(std::ostream& out, const Mesh& mesh) {
-  write_header(out, mesh, "");
+  write_header(out, mesh, "", "");
   RecordBuffer buffer(out);
   for (const glm::vec3& position : mesh.positions) put_position(buffer, position);
-  put_faces(buffer, mesh);
+  for (const glm::uvec3& triangle : mesh.triangles) put_face(buffer, triangle);
 }
 
-void write_ply(std::ostream& out, const Mesh& mesh, std::span<const float> occlusion) {
-  if (occlusion.size() != mesh.positions.size()) {
-    throw std::invalid_argument(fmt::format("write_ply: occlusion has {} entries, the mesh has {} vertices",
-                                            occlusion.size(), mesh.positions.size()));
-  }
-  write_header(out, mesh, "property float occlusion\nproperty uchar red\nproperty uchar green\nproperty uchar blue\n");
+void write_ply(std::ostream& out, const Mesh& mesh, std::span<const float> occlusion,
+               const OcclusionProperties& properties) {
+  check_size(occlusion, mesh.positions.size(), "vertices");
+  write_header(out, mesh, lines_of(properties), "");
   RecordBuffer buffer(out);
   for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
     put_position(buffer, mesh.positions[i]);
-    buffer.put(occlusion[i]);
-    const std::uint8_t grey = grey_of(1.0f - occlusion[i]);
-    for (int channel = 0; channel < 3; ++channel) buffer.put(grey);
+    put_occlusion(buffer, occlusion[i], properties);
   }
-  put_faces(buffer, mesh);
+  for (const glm::uvec3& triangle : mesh.triangles) put_face(buffer, triangle);
+}
+
+void write_ply_of_faces(std::ostream& out, const Mesh& mesh, std::span<const float> occlusion,
+                        const OcclusionProperties& properties) {
+  check_size(occlusion, mesh.triangles.size(), "triangles");
+  write_header(out, mesh, "", lines_of(properties));
+  RecordBuffer buffer(out);
+  for (const glm::vec3& position : mesh.positions) put_position(buffer, position);
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    put_face(buffer, mesh.triangles[t]);
+    put_occlusion(buffer, occlusion[t], properties);
+  }
 }
 
 }  // namespace lkao::scene

@@ -76,7 +76,7 @@ TEST_F(RasterRender, DrawsWhatSurroundsTheSceneToo) {
 }
 
 TEST_F(RasterRender, IsThePictureOfTheTraversal) {
-  const Arguments layers = {"--bent-normals", "--depth", "--normals", "--seed", "4"};
+  const Arguments layers = {"--bent-normals", "--depth", "--normal-channels", "--seed", "4"};
   for (const char* size : {"1x1", "33x17", "17x33", "64x48"}) {
     SCOPED_TRACE(size);
     expect_success(render("bvh", size, layers));
@@ -112,6 +112,12 @@ TEST_F(RasterRender, AgreesWithEmbreeRayByRay) {
     EXPECT_LE(json["reference"]["mae"], 1e-4);
     EXPECT_GT(json["occlusion_mean"], 0.02);
   }
+}
+
+TEST_F(RasterRender, ShadesSmoothlyAsTheTraversalDoes) {
+  expect_success(render("raster", "33x17", {"--normals", "smooth", "--reference"}));
+  EXPECT_EQ(read_json("raster.json")["normals"], "smooth");
+  EXPECT_LE(read_json("raster.json")["reference"]["ray_mismatch_rate"], 1e-4);
 }
 
 TEST_F(RasterRender, TakesAnInfiniteRadius) {

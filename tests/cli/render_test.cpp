@@ -169,7 +169,7 @@ TEST_F(Render, OptionsChangeThePicture) {
 }
 
 TEST_F(Render, ThreadsDoNotChangeABit) {
-  const Arguments layers = {"--bent-normals", "--depth", "--normals", "--preview"};
+  const Arguments layers = {"--bent-normals", "--depth", "--normal-channels", "--preview"};
   Arguments one = wall({"-o", path("one.exr"), "--threads", "1"});
   Arguments two = wall({"-o", path("two.exr"), "--threads", "2"});
   one.insert(one.end(), layers.begin(), layers.end());
@@ -183,7 +183,7 @@ TEST_F(Render, ThreadsDoNotChangeABit) {
 }
 
 TEST_F(Render, LayersHoldUnitVectorsAndDepth) {
-  expect_success(wall({"-o", path("out.exr"), "--bent-normals", "--depth", "--normals"}));
+  expect_success(wall({"-o", path("out.exr"), "--bent-normals", "--depth", "--normal-channels"}));
   const image::Image image = image::read_image(path("out.exr"));
   EXPECT_EQ(std::set<std::string>(image.channels.begin(), image.channels.end()),
             (std::set<std::string>{"occlusion", "bent.X", "bent.Y", "bent.Z", "depth.Z", "normal.X", "normal.Y",
@@ -200,6 +200,23 @@ TEST_F(Render, LayersHoldUnitVectorsAndDepth) {
       EXPECT_NEAR(length, expected_length, 1e-5) << layer << " of pixel " << pixel;
     }
   }
+}
+
+TEST_F(Render, NormalsAreThoseAskedFor) {
+  const auto sphere = [&](const Arguments& more) {
+    Arguments arguments = {"render", "builtin:sphere", "-o", path("out.exr"),     "--size", "32x24",         "--radius",
+                           "0.5",    "--samples",      "64", "--normal-channels", "--json", path("out.json")};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    expect_success(arguments);
+    return read_file("out.exr");
+  };
+  const std::string plain = sphere({});
+  EXPECT_EQ(read_json("out.json")["normals"], "facet");
+  EXPECT_TRUE(sphere({"--normals", "facet"}) == plain);
+  EXPECT_TRUE(sphere({"--normals", "smooth", "--reference"}) != plain);
+  EXPECT_EQ(read_json("out.json")["normals"], "smooth");
+  EXPECT_EQ(read_json("out.json")["reference"]["mismatched_rays"], 0);
+  expect_rejected(wall({"-o", path("no.exr"), "--normals", "file"}), {"--normals file", "wall"});
 }
 
 TEST_F(Render, PngAndPreviewAreTheSamePicture) {

@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "scene/builtin.h"
+#include "scene/shapes.h"
 
 namespace lkao::scene {
 namespace {
@@ -74,6 +75,42 @@ TEST(Receivers, CornersSpanTheHorizontalFieldOfView) {
 TEST(Receivers, DepthIsAlongTheViewAxis) {
   const ReceiverImage image = find_receivers(make_plane(), kDown, 64, 48);
   for (float depth : image.depth) EXPECT_FLOAT_EQ(depth, 4);
+}
+
+// Interpolated, so that neighbours on a sphere of facets differ by little, and never below the facet's own horizon.
+TEST(Receivers, ShadeSmoothlyAboveTheirFacets) {
+  const glm::vec3 center(1, 2, 3);
+  Mesh mesh;
+  add_sphere(mesh, glm::dvec3(center), 2, 96, 48);
+  const Camera camera = frame(bounds_of(mesh), 1);
+  const ReceiverImage image = find_receivers(mesh, camera, 64, 64, NormalSource::smooth);
+  const ReceiverImage facets = find_receivers(mesh, camera, 64, 64);
+  ASSERT_GT(image.receiver_count, 1000u);
+  for (std::size_t pixel = 0; pixel < image.receivers.size(); ++pixel) {
+    if (!image.sees(pixel)) continue;
+    const Receiver& receiver = image.receivers[pixel];
+    EXPECT_EQ(receiver.position, facets.receivers[pixel].position);
+    EXPECT_EQ(receiver.geometric_normal, facets.receivers[pixel].normal);
+    EXPECT_EQ(facets.receivers[pixel].geometric_normal, glm::vec3(0));
+    EXPECT_NEAR(glm::length(receiver.normal), 1, 1e-6);
+    EXPECT_GT(glm::dot(receiver.normal, glm::normalize(receiver.position - center)), 0.9999f);
+  }
+}
+
+// Seen from behind, both normals turn round.
+TEST(Receivers, ShadingNormalsTurnWithTheFacet) {
+  Mesh mesh;
+  mesh.positions = {{-9, -9, 0}, {9, -9, 0}, {0, 9, 0}};
+  mesh.triangles = {{0, 1, 2}};
+  const glm::vec3 slanted = glm::normalize(glm::vec3(0.5f, 0, 1));
+  mesh.normals = {slanted};
+  mesh.normal_corners = {{0, 0, 0}};
+  for (const float side : {1.0f, -1.0f}) {
+    const ReceiverImage image =
+        find_receivers(mesh, {{0, 0, 5 * side}, {0, 0, 0}, {0, 1, 0}, 40}, 9, 9, NormalSource::file);
+    EXPECT_LT(glm::distance(receiver_of(image, 4, 4).normal, side * slanted), 1e-6f);
+    EXPECT_EQ(receiver_of(image, 4, 4).geometric_normal, glm::vec3(0, 0, side));
+  }
 }
 
 TEST(Receivers, LieOnTheirTriangleAndFaceTheEye) {

@@ -152,8 +152,44 @@ TEST(PlyWriter, GreyIsTheSrgbVisibility) {
   EXPECT_EQ(text.substr(data + kStride + 12, 4), raw(0.5f));
 }
 
+TEST(PlyWriter, LinearGreyAndQualityAreTheVisibility) {
+  std::ostringstream out;
+  write_ply(out, unit_triangle(), std::vector<float>{0, 0.75f, 1}, {.coding = ColourCoding::linear, .quality = true});
+  const std::string text = out.str();
+  const std::size_t data = text.find("property float quality\nelement face") == std::string::npos
+                               ? std::string::npos
+                               : text.find("end_header\n") + 11;
+  ASSERT_NE(data, std::string::npos);
+  constexpr std::size_t kStride = 23;
+  EXPECT_EQ(static_cast<unsigned char>(text[data + kStride + 16]), 64);
+  EXPECT_EQ(text.substr(data + kStride + 19, 4), raw(0.25f));
+  EXPECT_EQ(text.size(), data + 3 * kStride + 13);
+}
+
+TEST(PlyWriter, FacesHaveTheirValuesBehindTheirCorners) {
+  std::ostringstream out;
+  write_ply_of_faces(out, unit_triangle(), std::vector<float>{0.5f});
+  const std::string text = out.str();
+  EXPECT_NE(text.find("vertex_indices\nproperty float occlusion\n"), std::string::npos);
+  const std::size_t data = text.find("end_header\n") + 11;
+  EXPECT_EQ(text.size(), data + 3 * 12 + 13 + 7);
+  EXPECT_EQ(text.substr(data + 3 * 12 + 13, 4), raw(0.5f));
+  EXPECT_EQ(static_cast<unsigned char>(text[data + 3 * 12 + 13 + 4]), 188);
+  const TemporaryFolder folder;
+  EXPECT_EQ(read_mesh_file(folder.write("a.ply", text)).triangles, unit_triangle().triangles);
+}
+
+TEST(PlyWriter, NamesTheOrigin) {
+  Mesh mesh = unit_triangle();
+  mesh.origin = {500000.5, -5e6, 0};
+  std::ostringstream out;
+  write_ply(out, mesh);
+  EXPECT_NE(out.str().find("1.0\ncomment origin 500000.5 -5000000 0\nelement vertex"), std::string::npos);
+}
+
 TEST(PlyWriter, RefusesTheWrongNumberOfValues) {
   std::ostringstream out;
+  EXPECT_THROW(write_ply_of_faces(out, unit_triangle(), std::vector<float>{0, 1}), std::invalid_argument);
   EXPECT_THROW(write_ply(out, unit_triangle(), std::vector<float>{0, 1}), std::invalid_argument);
 }
 
