@@ -83,7 +83,7 @@ Json document_of(const BakingOptions& options, const Baking& result) {
 void print_table(const BakeOptions& options, const Baking& result) {
   Table table;
   add_scene_row(table, result.scene);
-  add_surroundings_row(table, options.scene, result.scene);
+  add_surroundings_row(table, options.baking.scene, result.scene);
   table.add("prepared",
             fmt::format("{:.3f} s to load, {:.3f} s to build", result.scene.load_seconds, result.build_seconds));
   table.add("normals", std::string(word_of(kNormalSourceWords, result.normals)));
