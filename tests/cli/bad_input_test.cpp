@@ -147,7 +147,7 @@ TEST_F(BadInput, UnsupportedOutputEnding) {
   for (const char* name : {"out.jpg", "out", "out.exr.txt"}) {
     expect_rejected({"render", "builtin:wall", "--radius", "1", "-o", path(name)}, {name});
   }
-  expect_rejected({"bake", "builtin:wall", "--radius", "1", "-o", path("out.obj")}, {"out.obj", ".ply"});
+  expect_rejected({"bake", "builtin:wall", "--radius", "1", "-o", path("out.glb")}, {"out.glb", ".ply or .obj"});
   expect_rejected(render("builtin:wall", {"--preview", path("out.jpg")}), {"--preview", "out.jpg"});
 }
 TEST_F(BadInput, LayersInAPng) {
