@@ -198,8 +198,12 @@ class BakeStudy {
 void run(const BakeOptions& options) {
   CsvFile csv(options.csv, bake_csv_columns());
   const Columns columns = bake_table_columns();
-  fmt::print("{}", table_heading(columns));
-  for (const std::string& scene : options.scenes) BakeStudy(scene, options).run(csv, columns);
+  bool has_heading = false;
+  for (const std::string& scene : options.scenes) {
+    BakeStudy study(scene, options);
+    if (!std::exchange(has_heading, true)) fmt::print("{}", table_heading(columns));
+    study.run(csv, columns);
+  }
 }
 
 }  // namespace

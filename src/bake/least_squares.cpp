@@ -29,7 +29,7 @@ struct EdgeBend {
   }
 };
 
-// A triangle's share of the matrix of the samples: that of the paper's Sec. 3, with the integral taken at the samples,
+// A triangle's share of the matrix of the samples: the paper's, with the integral taken at the samples,
 // so that a signal that is linear on the triangle is met exactly.
 struct MassBlock {
   std::array<std::uint32_t, 3> places;
@@ -65,8 +65,8 @@ struct Slope {
   }
 };
 
-// What the paper's Sec. 4 keeps small. Squared it counts with the
-// area of both triangles times both heights, which makes it independent of the mesh's unit, and bounded for needles.
+// What the paper's term of smoothness is about. Squared it counts with the area of both triangles times both heights,
+// which makes it independent of the mesh's unit, and bounded for needles.
 EdgeBend bend_of(const SharedEdge& edge, const Facet& of_a, const Facet& of_b, const Places& places) {
   const auto& [a, b] = edge.sides;
   const Slope slope_a(of_a, a), slope_b(of_b, b);

@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <charconv>
 #include <cstdint>
 #include <cstring>
 #include <stdexcept>
 #include <string_view>
+#include <system_error>
 
 #include <fmt/format.h>
 
@@ -79,9 +81,14 @@ class TextValues {
       : rest_(data), has_lines_(has_lines_for(data, record_count)) {}
 
   double read(Type) {
-    const std::string_view word = take_word(rest_);
-    if (word.empty()) throw EndOfData{};
-    return parse_number(word);
+    skip_blanks(rest_);
+    double value = 0;
+    const char* const end = rest_.data() + rest_.size();
+    const auto [behind, error] = std::from_chars(rest_.data(), end, value);
+    // Most words are plain numbers, and need not be looked at twice.
+    if (error != std::errc() || (behind != end && !is_blank(*behind))) return read_word();
+    rest_.remove_prefix(static_cast<std::size_t>(behind - rest_.data()));
+    return value;
   }
   std::size_t bytes_left() const { return rest_.size(); }
   void end_record() {
@@ -91,6 +98,11 @@ class TextValues {
   }
 
  private:
+  double read_word() {
+    const std::string_view word = take_word(rest_);
+    if (word.empty()) throw EndOfData{};
+    return parse_number(word);
+  }
   static bool has_lines_for(std::string_view data, std::size_t record_count) {
     std::size_t line_count = 0;
     std::string_view line;

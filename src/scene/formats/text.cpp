@@ -15,8 +15,6 @@ namespace {
 
 char to_lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 
-bool is_blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
-
 // "1.#IND", "nan(ind)", "nan(snan)": not a number; "1.#INF": infinite.
 bool parse_windows_word(std::string_view digits, double& value) {
   if (digits.starts_with("1.#INF")) {
@@ -48,11 +46,10 @@ bool take_line(std::string_view& text, std::string_view& line) {
 }
 
 std::string_view take_word(std::string_view& text) {
-  std::size_t begin = 0;
-  while (begin < text.size() && is_blank(text[begin])) ++begin;
-  std::size_t end = begin;
+  skip_blanks(text);
+  std::size_t end = 0;
   while (end < text.size() && !is_blank(text[end])) ++end;
-  const std::string_view word = text.substr(begin, end - begin);
+  const std::string_view word = text.substr(0, end);
   text.remove_prefix(end);
   return word;
 }

@@ -13,6 +13,12 @@ std::string_view without_byte_order_mark(std::string_view text);
 // Takes the first line off a text, without its end; false at the end of the text.
 bool take_line(std::string_view& text, std::string_view& line);
 
+// Blanks and line ends.
+inline bool is_blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
+inline void skip_blanks(std::string_view& text) {
+  while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
+}
+
 // Takes the first word off a text, and the blanks (line ends too) in front of it; empty where there is none left.
 std::string_view take_word(std::string_view& text);
 
