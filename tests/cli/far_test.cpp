@@ -103,8 +103,9 @@ TEST_F(Far, InfoTellsTheBoxInTheFilesCoordinates) {
   const nlohmann::json json = read_json("out.json");
   const glm::dvec3 lower = kZone + glm::dvec3(-1.03, -1.07, 0), upper = kZone + glm::dvec3(1, 1, 0.73);
   for (int axis = 0; axis < 3; ++axis) {
-    EXPECT_NEAR(json["bounds"]["lower"][axis], lower[axis], 1e-5);
-    EXPECT_NEAR(json["bounds"]["upper"][axis], upper[axis], 1e-5);
+    const auto i = static_cast<std::size_t>(axis);
+    EXPECT_NEAR(json["bounds"]["lower"][i], lower[axis], 1e-5);
+    EXPECT_NEAR(json["bounds"]["upper"][i], upper[axis], 1e-5);
   }
   EXPECT_EQ(json["origin"], nlohmann::json({448260.0, 5413680.0, 110.0}));
   for (const char* row :

@@ -39,7 +39,7 @@ TEST(Ground, LiesJustBelowTheLowestPointAndFacesUp) {
       EXPECT_NEAR(gap, 1e-4 * diagonal, 1e-6 * diagonal);
     }
     ASSERT_EQ(ground.triangles.size(), 2u);
-    for (const std::size_t t : {0, 1}) {
+    for (const std::size_t t : {0u, 1u}) {
       EXPECT_NEAR(glm::dot(glm::normalize(area_of(ground, t)), direction), 1, 1e-6);
     }
   }

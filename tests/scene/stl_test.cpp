@@ -74,7 +74,7 @@ TEST_F(Stl, TheCountSaysWhereBinaryTrianglesEnd) {
 
 TEST_F(Stl, NanCornersAreNeverJoined) {
   std::string bytes = binary_stl("binary", 2);
-  for (std::size_t triangle : {0, 1}) bytes.replace(84 + 50 * triangle + 12, 4, raw(std::nanf("")));
+  for (std::size_t triangle : {0u, 1u}) bytes.replace(84 + 50 * triangle + 12, 4, raw(std::nanf("")));
   const Mesh mesh = read(bytes);
   EXPECT_EQ(mesh.positions.size(), 4u);
   EXPECT_EQ(find_defects(mesh).non_finite_count, 2u);
