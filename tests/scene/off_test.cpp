@@ -56,9 +56,9 @@ void expect_square(const std::string& bytes) {
 
 TEST(Off, CountsMayStandAnywhere) {
   const std::string body = std::string(kPoints) + "3 0 1 2\n3 0 2 3\n";
-  for (const char* counts :
-       {"OFF\n4 2 0\n", "OFF\n4 2\n", "OFF4 2 0\n", "  OFF4 2\n", "OFF 4 2 0\n", "OFF\n4\n2\n0\n", "OFF\n4\n2\n",
-        "OFF 4\n2\n0\n", "# word\n\nOFF # kind\n4 2 0 # counts\n", "4 2 0\n", "\xef\xbb\xbfOFF\n4 2 0\n"}) {
+  for (const char* counts : {"OFF\n4 2 0\n", "OFF\n4 2\n", "off\n4 2 0\n", "OFF4 2 0\n", "  OFF4 2\n", "OFF 4 2 0\n",
+                             "OFF\n4\n2\n0\n", "OFF\n4\n2\n", "OFF 4\n2\n0\n", "# word\n\nOFF # kind\n4 2 0 # counts\n",
+                             "4 2 0\n", "\xef\xbb\xbfOFF\n4 2 0\n"}) {
     expect_square(counts + body);
   }
 }

@@ -184,6 +184,16 @@ TEST(Ply, LinesMayEndInAnyWay) {
   }
 }
 
+TEST(Ply, LinesOfAHeaderMayEndEachInItsOwnWay) {
+  const TemporaryFolder folder;
+  std::string bytes = binary_square(false, {{0, 1, 2}});
+  bytes.replace(bytes.find('\n'), 1, "\r\n");
+  bytes.replace(bytes.find("\nelement"), 1, "\r\n");
+  EXPECT_EQ(read_mesh_file(folder.write("a.ply", bytes)).positions, kSquare);
+  bytes.replace(bytes.find("\nelement face"), 1, "\r");
+  EXPECT_EQ(read_mesh_file(folder.write("a.ply", bytes)).positions, kSquare);
+}
+
 TEST(Ply, TextMayHaveMoreOnALineOrFewerLines) {
   const TemporaryFolder folder;
   for (const char* records :

@@ -99,7 +99,8 @@ bool is_number(std::string_view word) {
 // The word behind the keyword, which may be glued to it; the keyword itself may be missing.
 std::string_view parse_beginning(Words& words, Header& header) {
   const std::string_view word = words.next();
-  const std::size_t end = word.find("OFF");
+  std::size_t end = word.find("OFF");
+  if (end == word.npos && word.starts_with("off")) end = 0;
   if (end == word.npos) {
     if (word.empty() || !is_number(word)) throw std::runtime_error("malformed OFF: the word OFF is missing");
     return word;

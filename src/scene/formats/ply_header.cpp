@@ -75,26 +75,25 @@ void parse_comment(std::string_view line, glm::dvec3& origin) {
   if (take_word(line).empty()) origin = point;
 }
 
-// Takes lines as the first one ends: behind a header that ends in CR alone, binary data may begin with an LF.
+// Lines may end in any way, each in its own. But behind a header whose lines end in CR alone, an LF is binary data.
 class HeaderLines {
  public:
-  explicit HeaderLines(std::string_view bytes) : rest_(bytes) {
-    const std::size_t end = bytes.find_first_of("\r\n");
-    if (end != bytes.npos) line_end_ = bytes.substr(end, bytes.substr(end).starts_with("\r\n") ? 2 : 1);
-  }
+  explicit HeaderLines(std::string_view bytes) : rest_(bytes) {}
 
   std::string_view next() {
-    const std::size_t end = line_end_.empty() ? rest_.npos : rest_.find(line_end_);
+    const std::size_t end = rest_.find_first_of("\r\n");
     if (end == rest_.npos) throw std::runtime_error("truncated PLY: the header has no end");
     const std::string_view line = rest_.substr(0, end);
-    rest_.remove_prefix(end + line_end_.size());
+    rest_.remove_prefix(end);
+    rest_.remove_prefix(rest_.starts_with("\r\n") && !ends_in_cr_ ? 2 : 1);
+    ends_in_cr_ = line.data()[end] == '\r' && line.data() + end + 1 == rest_.data();
     return line;
   }
   std::string_view rest() const { return rest_; }
 
  private:
   std::string_view rest_;
-  std::string_view line_end_;
+  bool ends_in_cr_ = false;  // the last line, and in nothing else
 };
 
 void check_vertices(const Header& header) {
