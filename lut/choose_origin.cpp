@@ -24,7 +24,7 @@ glm::dvec3 choose_origin(const PositionView& positions) {
   const double diagonal = glm::distance(lower, upper);
   if (diagonal == 0 || glm::length(centre) <= kFar * diagonal) return glm::dvec3(0.0);
   const double step = std::pow(10.0, std::ceil(std::log10(diagonal)));
-  return step * glm::round(centre / step);
+  return step * glm::round(centre / step) + 0.0;  // not -0
 }
 
 }  // namespace lkao

@@ -35,6 +35,7 @@ std::vector<OccluderLevel> build_levels(const Chain& chain, float radius) {
 
 RangedMesh merge(const Chain& chain, float radius) {
   RangedMesh merged;
+  merged.mesh.origin = chain.levels[0].mesh.origin;
   for (const LevelInUse& level : levels_in_use(chain, radius)) {
     const auto first = static_cast<std::uint32_t>(merged.mesh.positions.size());
     const scene::Mesh& mesh = *level.mesh;

@@ -107,6 +107,7 @@ class Simplification {
   void gather_level(std::size_t goal) {
     constexpr std::uint32_t kNone = 0xffffffffu;
     scene::Mesh& mesh = result_.chain.levels[goal + 1].mesh;
+    mesh.origin = result_.chain.levels[0].mesh.origin;
     LevelReport& report = result_.report.levels[goal + 1];
     std::vector<std::uint32_t> number(scene_.positions.size(), kNone);
     for (std::size_t p = 0; p < results_.size(); ++p) {

@@ -87,6 +87,20 @@ TEST_F(ChainFile, LevelsHaveTheSameOrigin) {
   }
 }
 
+TEST_F(ChainFile, OfAFarSceneComesBackBitForBit) {
+  scene::Mesh mesh = wavy_grid(12);
+  mesh.origin = {448262, 5413678, 0};
+  const Chain chain = simplify(mesh, {.levels = {.epsilon = 0.0123f}}).chain;
+  const std::string path = folder_ / "far.json";
+  write_chain(chain, path, chain_files(path, chain.levels.size()));
+  const Chain loaded = load_chain(path, mesh.origin);
+  ASSERT_EQ(loaded.levels.size(), chain.levels.size());
+  for (std::size_t i = 0; i < loaded.levels.size(); ++i) {
+    EXPECT_EQ(loaded.levels[i].mesh.origin, mesh.origin);
+    EXPECT_EQ(loaded.levels[i].mesh.positions, chain.levels[i].mesh.positions);
+  }
+}
+
 TEST_F(ChainFile, MayMoveAsAWhole) {
   const std::string other = folder_ / "moved";
   std::filesystem::create_directory(other);
