@@ -81,7 +81,9 @@ TEST_F(Far, TheCameraIsToldInTheFilesCoordinates) {
   render(kZone, "far.exr");
   const nlohmann::json json = read_json("out.json");
   const glm::dvec3 eye = kZone + glm::dvec3(1.5, -2.25, 1.75);
-  for (int axis = 0; axis < 3; ++axis) EXPECT_NEAR(json["camera"]["eye"][axis], eye[axis], 1e-5);
+  for (int axis = 0; axis < 3; ++axis) {
+    EXPECT_NEAR(json["camera"]["eye"][static_cast<std::size_t>(axis)], eye[axis], 1e-5);
+  }
   EXPECT_EQ(json["origin"], nlohmann::json({448260.0, 5413680.0, 110.0}));
 }
 
