@@ -67,6 +67,10 @@ FileMesh read_by_extension(const std::string& path) {
   throw std::runtime_error("not a supported mesh type (known: .obj .ply .stl .off .gltf .glb)");
 }
 
+glm::dvec3 origin_of(const FileMesh& file) {
+  return file.origin != glm::dvec3(0.0) ? file.origin : choose_origin({file.positions, glm::dvec3(0.0)});
+}
+
 // Normals of length one; corners with another have none.
 void take_normals(FileMesh& file, Mesh& mesh) {
   bool has_any = false;
@@ -95,9 +99,11 @@ MeshFile open_mesh_file(const std::string& path, const std::optional<glm::dvec3>
     if (file.triangles.empty()) throw std::runtime_error("there are no triangles in it");
     cut_polygons(file);
     MeshFile result{.mesh = {}, .contents = std::move(file.contents)};
-    result.mesh.origin = origin ? *origin : choose_origin({file.positions, glm::dvec3(0.0)});
+    result.mesh.origin = origin ? *origin : origin_of(file);
+    // Where the file names the same one, positions stay as they are, bit for bit.
+    const glm::dvec3 shift = file.origin - result.mesh.origin;
     result.mesh.positions.reserve(file.positions.size());
-    for (const glm::dvec3& p : file.positions) result.mesh.positions.emplace_back(p - result.mesh.origin);
+    for (const glm::dvec3& p : file.positions) result.mesh.positions.emplace_back(p + shift);
     result.mesh.triangles = std::move(file.triangles);
     take_normals(file, result.mesh);
     return result;

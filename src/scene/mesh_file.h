@@ -17,7 +17,8 @@ struct MeshFile {
 // Reads every triangle of the file: node transforms applied, polygons cut into triangles, points and lines left out,
 // degenerate and non-finite triangles kept (drop_bad_triangles sorts those out). Vertices keep the file's numbers, used
 // or not; only those of STL, which gives every corner its own, are joined where their positions are equal.
-// The mesh's origin is `origin`, or without it what lkao::choose_origin() says.
+// The mesh's origin is `origin`, or without it the one that the file names (write_ply), or what lkao::choose_origin()
+// says.
 //
 // Throws std::runtime_error with one line naming the file and the fault: missing, a directory, an unsupported type,
 // empty, truncated or malformed, an index out of range, no triangles.

@@ -220,13 +220,15 @@ TEST(Ply, NormalsAreRead) {
   EXPECT_EQ(mesh.normal_corners, (std::vector<glm::uvec3>{{0, kNoNormal, kNoNormal}, {0, kNoNormal, 3}}));
 }
 
-TEST(Ply, AnOriginInACommentIsAddedToPositions) {
+TEST(Ply, AnOriginInACommentIsThatOfTheMesh) {
   const TemporaryFolder folder;
   std::string text = header("ascii", 3, 1) + "0 0 0.25\n1 0 0\n1 1 0\n3 0 1 2\n";
   text.insert(text.find("comment"), "comment origin 448262 5413678 112\n");
   const Mesh mesh = read_mesh_file(folder.write("a.ply", text));
-  EXPECT_EQ(glm::dvec3(mesh.positions[0]) + mesh.origin, glm::dvec3(448262, 5413678, 112.25));
-  EXPECT_LT(std::abs(mesh.positions[1].y), 16.0f);
+  EXPECT_EQ(mesh.origin, glm::dvec3(448262, 5413678, 112));
+  EXPECT_EQ(mesh.positions[0], glm::vec3(0, 0, 0.25f));
+  const Mesh moved = read_mesh_file(folder.path("a.ply"), glm::dvec3(448260, 5413678, 112));
+  EXPECT_EQ(moved.positions[0], glm::vec3(2, 0, 0.25f));
   text.replace(text.find("448262"), 6, "of the");
   EXPECT_EQ(read_mesh_file(folder.write("a.ply", text)).origin, glm::dvec3(0)) << "an ordinary comment";
 }

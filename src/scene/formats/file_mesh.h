@@ -21,6 +21,7 @@ struct FileMesh {
   };
 
   std::vector<glm::dvec3> positions;
+  glm::dvec3 origin{0};  // by the file's own word to be added to them
   std::vector<glm::uvec3> triangles;
   // As in Mesh, but of any length: unusable ones may be among them.
   std::vector<glm::vec3> normals;

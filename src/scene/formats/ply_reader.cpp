@@ -49,7 +49,7 @@ bool has_texture_coordinates(const Element& element) {
 template <class Values>
 class ElementReader {
  public:
-  ElementReader(Values values, const glm::dvec3& origin) : values_(values), origin_(origin) {}
+  explicit ElementReader(Values values) : values_(values) {}
 
   void read(const Element& element) {
     if (element.properties.empty()) return;
@@ -94,7 +94,7 @@ class ElementReader {
           taken[places[i]] = values_.read(element.properties[i].type);
         }
       }
-      mesh_.positions.push_back(glm::dvec3(taken[kX], taken[kY], taken[kZ]) + origin_);
+      mesh_.positions.emplace_back(taken[kX], taken[kY], taken[kZ]);
       if (has_normals) mesh_.normals.emplace_back(taken[kNormalX], taken[kNormalY], taken[kNormalZ]);
     });
   }
@@ -157,16 +157,17 @@ class ElementReader {
   }
 
   Values values_;
-  glm::dvec3 origin_;
   FileMesh mesh_;
   std::vector<std::uint32_t> corners_;
 };
 
 template <class Values>
 FileMesh read_elements(const Header& header, Values values) {
-  ElementReader<Values> reader(values, header.origin);
+  ElementReader<Values> reader(values);
   for (const Element& element : header.elements) reader.read(element);
-  return std::move(reader).finish();
+  FileMesh mesh = std::move(reader).finish();
+  mesh.origin = header.origin;
+  return mesh;
 }
 
 }  // namespace
