@@ -102,5 +102,10 @@ function(lkao_test NAME)
          "TSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/tests/tsan/suppressions.txt")
     add_dependencies(lkao_tsan_tests lkao_test_${NAME})
   endif()
+  if(LKAO_SANITIZE MATCHES "address")
+    # Clang 14's leak check crashes in the variables of threads of a program with many libraries.
+    list(APPEND properties ENVIRONMENT
+         "LSAN_OPTIONS=use_tls=0:print_suppressions=0:suppressions=${PROJECT_SOURCE_DIR}/tests/asan/leak_suppressions.txt")
+  endif()
   gtest_discover_tests(lkao_test_${NAME} DISCOVERY_TIMEOUT 60 PROPERTIES ${properties})
 endfunction()
