@@ -75,9 +75,9 @@ endfunction()
 #   A GoogleTest program lkao_test_NAME, each of its tests known to CTest. Tests with the label "slow" are left out
 #   under AddressSanitizer; those with "tsan" are what ThreadSanitizer runs (target lkao_tsan_tests; see tests/tsan).
 #   READS: the programs that the tests start, the files and folders that they read: `./run test` repeats tests that
-#   passed when one of these changes.
+#   passed when one of these changes. STARTS_PROGRAM: they start `lkao`.
 function(lkao_test NAME)
-  cmake_parse_arguments(PARSE_ARGV 1 test "" "" "SOURCES;LINKS;LABELS;READS")
+  cmake_parse_arguments(PARSE_ARGV 1 test "STARTS_PROGRAM" "" "SOURCES;LINKS;LABELS;READS")
   add_executable(lkao_test_${NAME} ${test_SOURCES})
   target_include_directories(lkao_test_${NAME} PRIVATE ${lkao_include_roots} "${PROJECT_SOURCE_DIR}/tests")
   target_compile_definitions(lkao_test_${NAME} PRIVATE "LKAO_SHARED_DIR=\"${LKAO_SHARED_DIR}\"")
@@ -102,7 +102,7 @@ function(lkao_test NAME)
          "TSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/tests/tsan/suppressions.txt")
     add_dependencies(lkao_tsan_tests lkao_test_${NAME})
   endif()
-  if(LKAO_SANITIZE MATCHES "address")
+  if(LKAO_SANITIZE MATCHES "address" AND test_STARTS_PROGRAM)
     # Clang 14's leak check crashes in the variables of threads of a program with many libraries.
     list(APPEND properties ENVIRONMENT
          "LSAN_OPTIONS=use_tls=0:print_suppressions=0:suppressions=${PROJECT_SOURCE_DIR}/tests/asan/leak_suppressions.txt")
