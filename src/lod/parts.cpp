@@ -8,30 +8,12 @@
 
 #include "lod/triangle_pairs.h"
 #include "scene/defects.h"
+#include "scene/disjoint_sets.h"
 
 namespace lkao::lod {
 namespace {
 
 constexpr std::uint32_t kNone = 0xffffffffu;
-
-// Disjoint sets of numbers; the root of a set is its lowest member.
-class Sets {
- public:
-  explicit Sets(std::size_t size) : parent_(size) { std::iota(parent_.begin(), parent_.end(), 0u); }
-
-  std::uint32_t root(std::uint32_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void join(std::uint32_t a, std::uint32_t b) {
-    a = root(a);
-    b = root(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
 
 bool is_before(const glm::vec3& a, const glm::vec3& b) {
   if (a.x != b.x) return a.x < b.x;
@@ -114,7 +96,7 @@ class Splitter {
     std::vector<std::uint32_t> part_of(mesh_.triangles.size(), kNone);        // by the root of the triangle
     std::vector<std::uint32_t> vertex_of(3 * mesh_.triangles.size(), kNone);  // by the root of the corner
     for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
-      std::uint32_t& part_number = part_of[triangle_sets_.root(t)];
+      std::uint32_t& part_number = part_of[triangle_sets_.find(t)];
       if (part_number == kNone) {
         part_number = static_cast<std::uint32_t>(parts.size());
         parts.emplace_back();
@@ -122,7 +104,7 @@ class Splitter {
       Part& part = parts[part_number];
       glm::uvec3 triangle{};
       for (std::uint32_t i = 0; i < 3; ++i) {
-        std::uint32_t& vertex = vertex_of[corner_sets_.root(3 * t + i)];
+        std::uint32_t& vertex = vertex_of[corner_sets_.find(3 * t + i)];
         if (vertex == kNone) vertex = add_vertex(part, mesh_.triangles[t][static_cast<int>(i)]);
         triangle[static_cast<int>(i)] = vertex;
       }
@@ -139,8 +121,8 @@ class Splitter {
   }
 
   const scene::Mesh& mesh_;
-  Sets triangle_sets_;
-  Sets corner_sets_;
+  scene::DisjointSets triangle_sets_;
+  scene::DisjointSets corner_sets_;
 };
 
 std::size_t count_split_vertices(const SceneParts& scene) {
