@@ -3,43 +3,18 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 #include <stdexcept>
 #include <string>
 
 #include <fmt/format.h>
+
+#include "scene/output_buffer.h"
 
 namespace lkao::scene {
 
 namespace {
 
 static_assert(std::endian::native == std::endian::little, "records are written as they lie in memory");
-
-// Bytes of one record after another; one write for many records.
-class RecordBuffer {
- public:
-  explicit RecordBuffer(std::ostream& out) : out_(out) {}
-  ~RecordBuffer() { flush(); }
-
-  template <typename T>
-  void put(const T& value) {
-    char bytes[sizeof(T)];
-    std::memcpy(bytes, &value, sizeof(T));
-    bytes_.append(bytes, sizeof(T));
-    if (bytes_.size() >= kFlushSize) flush();
-  }
-
- private:
-  static constexpr std::size_t kFlushSize = 1 << 16;
-
-  void flush() {
-    out_.write(bytes_.data(), static_cast<std::streamsize>(bytes_.size()));
-    bytes_.clear();
-  }
-
-  std::ostream& out_;
-  std::string bytes_;
-};
 
 // Lines of the header, one for each property of a vertex or a face.
 std::string lines_of(const OcclusionProperties& properties) {
@@ -59,16 +34,16 @@ void write_header(std::ostream& out, const Mesh& mesh, const std::string& more_o
       mesh.positions.size(), more_of_a_vertex, mesh.triangles.size(), more_of_a_face);
 }
 
-void put_position(RecordBuffer& buffer, const glm::vec3& position) {
+void put_position(OutputBuffer& buffer, const glm::vec3& position) {
   for (int axis = 0; axis < 3; ++axis) buffer.put(position[axis]);
 }
 
-void put_face(RecordBuffer& buffer, const glm::uvec3& triangle) {
+void put_face(OutputBuffer& buffer, const glm::uvec3& triangle) {
   buffer.put(std::uint8_t{3});
   for (int corner = 0; corner < 3; ++corner) buffer.put(triangle[corner]);
 }
 
-void put_occlusion(RecordBuffer& buffer, float occlusion, const OcclusionProperties& properties) {
+void put_occlusion(OutputBuffer& buffer, float occlusion, const OcclusionProperties& properties) {
   buffer.put(occlusion);
   const auto grey = static_cast<std::uint8_t>(std::lround(255 * grey_of(occlusion, properties.coding)));
   for (int channel = 0; channel < 3; ++channel) buffer.put(grey);
@@ -85,7 +60,7 @@ void check_size(std::span<const float> occlusion, std::size_t count, const char*
 
 void write_ply(std::ostream& out, const Mesh& mesh) {
   write_header(out, mesh, "", "");
-  RecordBuffer buffer(out);
+  OutputBuffer buffer(out);
   for (const glm::vec3& position : mesh.positions) put_position(buffer, position);
   for (const glm::uvec3& triangle : mesh.triangles) put_face(buffer, triangle);
 }
@@ -94,7 +69,7 @@ void write_ply(std::ostream& out, const Mesh& mesh, std::span<const float> occlu
                const OcclusionProperties& properties) {
   check_size(occlusion, mesh.positions.size(), "vertices");
   write_header(out, mesh, lines_of(properties), "");
-  RecordBuffer buffer(out);
+  OutputBuffer buffer(out);
   for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
     put_position(buffer, mesh.positions[i]);
     put_occlusion(buffer, occlusion[i], properties);
@@ -106,7 +81,7 @@ void write_ply_of_faces(std::ostream& out, const Mesh& mesh, std::span<const flo
                         const OcclusionProperties& properties) {
   check_size(occlusion, mesh.triangles.size(), "triangles");
   write_header(out, mesh, "", lines_of(properties));
-  RecordBuffer buffer(out);
+  OutputBuffer buffer(out);
   for (const glm::vec3& position : mesh.positions) put_position(buffer, position);
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     put_face(buffer, mesh.triangles[t]);
