@@ -70,8 +70,8 @@ std::vector<Receiver> corner_receivers(const scene::CornerNormals& normals, cons
     const InscribedCircle circle(facet);
     // Towards the centre the distance from both edges of the corner grows evenly.
     const double share = std::min(1.0, distance / circle.radius);
-    const glm::vec3 geometric_normal(normals.facet(t));
-    const std::array<glm::vec3, 3> corner_normals = normals.of(t);
+    const auto [facet_normal, corner_normals] = normals.of(t);
+    const glm::vec3 geometric_normal(facet_normal);
     for (int i = 0; i < 3; ++i) {
       receivers.push_back({.position = glm::vec3(glm::mix(glm::dvec3(facet.corner(i)), circle.center, share)),
                            .normal = corner_normals[static_cast<std::size_t>(i)],

@@ -70,8 +70,9 @@ FaceSamples sample_faces(const scene::CornerNormals& normals, const SampleDensit
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     samples.firsts.push_back(static_cast<std::uint32_t>(samples.receivers.size()));
     const Facet facet(mesh, mesh.triangles[t]);
-    const glm::vec3 geometric_normal(normals.facet(t));
-    const std::array<glm::vec3, 3> corners = normals.of(t);
+    const scene::TriangleNormals of_triangle = normals.of(t);
+    const glm::vec3 geometric_normal(of_triangle.facet);
+    const std::array<glm::vec3, 3>& corners = of_triangle.corners;
     const auto mix = [](const glm::dvec3& w, const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
       return w.x * glm::dvec3(a) + w.y * glm::dvec3(b) + w.z * glm::dvec3(c);
     };

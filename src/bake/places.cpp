@@ -21,7 +21,7 @@ void join_smooth(const scene::CornerNormals& normals, scene::DisjointSets& sets)
   const bool is_faceted = normals.source() == scene::NormalSource::facet;
   for (const scene::SharedEdge& edge : scene::shared_edges(normals.mesh())) {
     const scene::EdgeSide &a = edge.sides[0], &b = edge.sides[1];
-    const std::array<glm::vec3, 3> of_a = normals.of(a.triangle), of_b = normals.of(b.triangle);
+    const std::array<glm::vec3, 3> of_a = normals.of(a.triangle).corners, of_b = normals.of(b.triangle).corners;
     const float least = is_faceted ? static_cast<float>(kSmoothBend) : kSameNormal;
     const auto join_if_same = [&](std::uint32_t corner_a, std::uint32_t corner_b) {
       if (glm::dot(of_a[corner_a], of_b[corner_b]) < least) return;

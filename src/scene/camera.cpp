@@ -116,14 +116,13 @@ Receiver receiver_at(const CornerNormals& normals, const Hit& hit, const glm::dv
   const double u = std::clamp(static_cast<double>(hit.u), 0.0, 1.0);
   const double v = std::clamp(static_cast<double>(hit.v), 0.0, 1.0 - u);
   const glm::dvec3 position = (1 - u - v) * glm::dvec3(facet.a) + u * glm::dvec3(facet.b) + v * glm::dvec3(facet.c);
-  const glm::dvec3 facet_normal = normals.facet(hit.triangle);
+  const auto [facet_normal, corners] = normals.of(hit.triangle);
   const double side = glm::dot(facet_normal, eye - position) < 0 ? -1 : 1;
   Receiver receiver;
   receiver.position = glm::vec3(position);
   receiver.normal = glm::vec3(side * facet_normal);
   if (normals.source() == NormalSource::facet) return receiver;
   receiver.geometric_normal = receiver.normal;
-  const std::array<glm::vec3, 3> corners = normals.of(hit.triangle);
   const glm::dvec3 normal =
       (1 - u - v) * glm::dvec3(corners[0]) + u * glm::dvec3(corners[1]) + v * glm::dvec3(corners[2]);
   receiver.normal = glm::vec3(side * glm::normalize(normal));

@@ -69,32 +69,21 @@ CornerNormals::CornerNormals(const Mesh& mesh, NormalSource source) : mesh_(mesh
   }
 }
 
-std::array<glm::vec3, 3> CornerNormals::raw(std::size_t triangle, const glm::dvec3& front) const {
-  std::array<glm::vec3, 3> normals;
-  normals.fill(glm::vec3(front));
+TriangleNormals CornerNormals::of(std::size_t triangle) const {
+  TriangleNormals normals{.facet = Facet(mesh_, mesh_.triangles[triangle]).normal(), .corners = {}};
+  normals.corners.fill(glm::vec3(normals.facet));
   if (source_ == NormalSource::facet) return normals;
   for (int i = 0; i < 3; ++i) {
     const bool of_file = source_ == NormalSource::file && !mesh_.normal_corners.empty() &&
                          mesh_.normal_corners[triangle][i] != kNoNormal;
-    normals[static_cast<std::size_t>(i)] =
+    normals.corners[static_cast<std::size_t>(i)] =
         of_file ? mesh_.normals[mesh_.normal_corners[triangle][i]] : smooth_[smooth_corners_[triangle][i]];
   }
-  return normals;
-}
-
-glm::dvec3 CornerNormals::facet(std::size_t triangle) const {
-  const glm::dvec3 front = Facet(mesh_, mesh_.triangles[triangle]).normal();
-  if (source_ != NormalSource::file) return front;
-  const std::array<glm::vec3, 3> normals = raw(triangle, front);
-  const glm::dvec3 sum = glm::dvec3(normals[0]) + glm::dvec3(normals[1]) + glm::dvec3(normals[2]);
-  return glm::dot(sum, front) < 0 ? -front : front;
-}
-
-std::array<glm::vec3, 3> CornerNormals::of(std::size_t triangle) const {
-  const glm::dvec3 front = facet(triangle);
-  std::array<glm::vec3, 3> normals = raw(triangle, front);
-  for (glm::vec3& normal : normals) {
-    if (!(glm::dot(glm::dvec3(normal), front) > 0)) normal = glm::vec3(front);
+  const auto& [a, b, c] = normals.corners;
+  const glm::dvec3 sum = glm::dvec3(a) + glm::dvec3(b) + glm::dvec3(c);
+  if (source_ == NormalSource::file && glm::dot(sum, normals.facet) < 0) normals.facet = -normals.facet;
+  for (glm::vec3& normal : normals.corners) {
+    if (!(glm::dot(glm::dvec3(normal), normals.facet) > 0)) normal = glm::vec3(normals.facet);
   }
   return normals;
 }

@@ -21,6 +21,13 @@ enum class NormalSource {
 // Those of the file where the mesh has any, and those of the facets where it has none.
 NormalSource usual_normals(const Mesh& mesh);
 
+// Unit vectors, all on one side of a usable triangle's plane: that of its front, but for normals of a file, which say
+// themselves what is in front. One of a corner that points to the other side is replaced by the facet's.
+struct TriangleNormals {
+  glm::dvec3 facet;
+  std::array<glm::vec3, 3> corners;
+};
+
 // The mesh must outlive it, unchanged.
 class CornerNormals {
  public:
@@ -29,16 +36,9 @@ class CornerNormals {
   NormalSource source() const { return source_; }
   const Mesh& mesh() const { return mesh_; }
 
-  // Unit vectors, all on one side of a usable triangle's plane: that of its front, but for normals of a file, which say
-  // themselves what is in front. One that points to the other side is replaced by the facet's.
-  std::array<glm::vec3, 3> of(std::size_t triangle) const;
-
-  // The facet's, on that side.
-  glm::dvec3 facet(std::size_t triangle) const;
+  TriangleNormals of(std::size_t triangle) const;
 
  private:
-  std::array<glm::vec3, 3> raw(std::size_t triangle, const glm::dvec3& front) const;
-
   const Mesh& mesh_;
   NormalSource source_;
   std::vector<glm::vec3> smooth_;

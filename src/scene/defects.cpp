@@ -8,6 +8,7 @@
 
 #include "bvh/usable_triangle.h"
 #include "lut/coordinates.h"
+#include "scene/facet.h"
 
 namespace lkao::scene {
 
@@ -66,12 +67,7 @@ Defects find_defects(const Mesh& mesh) {
 void drop_bad_triangles(Mesh& mesh) {
   std::size_t kept = 0;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    glm::vec3 corners[3];
-    corners_of(mesh, mesh.triangles[t], corners);
-    if (!lut::is_in_range(corners[0], corners[1], corners[2]) ||
-        bvh::has_zero_area(corners[0], corners[1], corners[2])) {
-      continue;
-    }
+    if (!Facet(mesh, mesh.triangles[t]).is_usable()) continue;
     mesh.triangles[kept] = mesh.triangles[t];
     if (!mesh.normal_corners.empty()) mesh.normal_corners[kept] = mesh.normal_corners[t];
     ++kept;

@@ -53,13 +53,13 @@ TEST(SharedEdges, OfAKnotStayFew) {
 TEST(CornerNormals, OfFacetsAreTheirOwn) {
   const Mesh mesh = roof();
   const CornerNormals normals(mesh, NormalSource::facet);
-  for (const glm::vec3& normal : normals.of(0)) expect_near(normal, glm::vec3(-1, 1, 0) / std::sqrt(2.0f));
+  for (const glm::vec3& normal : normals.of(0).corners) expect_near(normal, glm::vec3(-1, 1, 0) / std::sqrt(2.0f));
 }
 
 TEST(CornerNormals, SmoothOnesIgnoreSeams) {
   const Mesh mesh = roof();
   const CornerNormals normals(mesh, NormalSource::smooth);
-  const auto left = normals.of(0), right = normals.of(1);
+  const auto left = normals.of(0).corners, right = normals.of(1).corners;
   expect_near(left[1], {0, 1, 0});
   EXPECT_EQ(left[1], right[2]);
   EXPECT_EQ(left[2], right[1]);
@@ -73,7 +73,7 @@ TEST(CornerNormals, SmoothOnesOfALeafStayOnTheirSide) {
   mesh.triangles = {{0, 1, 2}, {0, 2, 3}, {0, 2, 1}, {0, 3, 2}};
   const CornerNormals normals(mesh, NormalSource::smooth);
   for (std::size_t t = 0; t < 4; ++t) {
-    for (const glm::vec3& normal : normals.of(t)) EXPECT_EQ(normal, glm::vec3(0, 0, t < 2 ? 1 : -1)) << t;
+    for (const glm::vec3& normal : normals.of(t).corners) EXPECT_EQ(normal, glm::vec3(0, 0, t < 2 ? 1 : -1)) << t;
   }
 }
 
@@ -83,11 +83,11 @@ TEST(CornerNormals, OfAFileSayWhatIsInFront) {
   mesh.normals = {down};
   mesh.normal_corners = {{0, 0, 0}, {0, kNoNormal, 0}};
   const CornerNormals normals(mesh, NormalSource::file);
-  EXPECT_EQ(normals.of(0)[0], down);
-  expect_near(glm::vec3(normals.facet(0)), glm::vec3(1, -1, 0) / std::sqrt(2.0f));
-  EXPECT_EQ(normals.of(1)[2], down);
+  EXPECT_EQ(normals.of(0).corners[0], down);
+  expect_near(glm::vec3(normals.of(0).facet), glm::vec3(1, -1, 0) / std::sqrt(2.0f));
+  EXPECT_EQ(normals.of(1).corners[2], down);
   // The smooth one points to the other side of the plane.
-  expect_near(normals.of(1)[1], glm::vec3(-1, -1, 0) / std::sqrt(2.0f));
+  expect_near(normals.of(1).corners[1], glm::vec3(-1, -1, 0) / std::sqrt(2.0f));
   EXPECT_EQ(usual_normals(mesh), NormalSource::file);
   EXPECT_EQ(usual_normals(roof()), NormalSource::facet);
 }
@@ -101,7 +101,7 @@ TEST(CornerNormals, SmoothOnesOfASpherePointOutwards) {
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     for (int i = 0; i < 3; ++i) {
       const glm::dvec3 outwards = glm::normalize(glm::dvec3(mesh.positions[mesh.triangles[t][i]]) - center);
-      EXPECT_GT(glm::dot(outwards, glm::dvec3(normals.of(t)[static_cast<std::size_t>(i)])), 0.99);
+      EXPECT_GT(glm::dot(outwards, glm::dvec3(normals.of(t).corners[static_cast<std::size_t>(i)])), 0.99);
     }
   }
 }
