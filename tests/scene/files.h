@@ -47,6 +47,13 @@ std::string raw(const T& value) {
   return bytes;
 }
 
+// A text of lines that end in LF, with another end for each.
+inline std::string with_line_ends(const std::string& text, const std::string& end) {
+  std::string result;
+  for (const char c : text) result += c == '\n' ? end : std::string(1, c);
+  return result;
+}
+
 // What read_mesh_file says of a file that it must refuse; an empty string (and a failure) where it takes it.
 inline std::string refusal_of(const std::string& path) {
   try {

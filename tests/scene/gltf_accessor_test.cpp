@@ -132,9 +132,7 @@ TEST(GltfAccessor, NoViewIsZerosButNoMoreThanTheFileIsLong) {
 
 TEST(GltfAccessor, FaultsAreNamed) {
   const auto refuse = [](const char* pointer, const json& value, const char* fault) {
-    GltfBuilder builder = gltf_cube();
-    builder.document[json::json_pointer(pointer)] = value;
-    EXPECT_THAT(refusal(builder), HasSubstr(fault)) << pointer;
+    expect_refused_with(gltf_cube(), pointer, value, fault);
   };
   refuse("/accessors/0/count", 9, "accessors[0]: 9 elements of 12 bytes at 0 go beyond bufferViews[0] of 96 bytes");
   refuse("/accessors/0/count", 9007199254740992, "go beyond bufferViews[0]");

@@ -121,9 +121,7 @@ TEST(GltfMeshopt, QuaternionFilterIsUndone) {
 TEST(GltfMeshopt, FaultsAreNamed) {
   const std::string place = "/bufferViews/0/extensions/EXT_meshopt_compression/";
   const auto refuse = [&](const std::string& key, const json& value, const char* fault) {
-    GltfBuilder parts = meshopt_cube();
-    parts.document[json::json_pointer(place + key)] = value;
-    EXPECT_THAT(refusal(parts), HasSubstr(fault)) << key;
+    expect_refused_with(meshopt_cube(), place + key, value, fault);
   };
   refuse("mode", "POINTS", "bufferViews[0].extensions.EXT_meshopt_compression: unknown mode \"POINTS\"");
   refuse("filter", "COLOR", "unknown filter \"COLOR\"");

@@ -28,6 +28,14 @@ inline std::string refusal(const std::string& bytes) {
 }
 inline std::string refusal(const GltfBuilder& builder) { return refusal(builder.gltf()); }
 
+// Expects a refusal that contains `fault` where the document has `value` at that JSON pointer.
+inline void expect_refused_with(GltfBuilder builder, const std::string& pointer, const nlohmann::json& value,
+                                const std::string& fault) {
+  builder.document[nlohmann::json::json_pointer(pointer)] = value;
+  const std::string message = refusal(builder);
+  EXPECT_NE(message.find(fault), std::string::npos) << pointer << ": " << message << " / " << fault;
+}
+
 inline std::vector<glm::dvec3> corners(const FileMesh& mesh, std::size_t triangle) {
   const glm::uvec3& t = mesh.triangles.at(triangle);
   return {mesh.positions.at(t.x), mesh.positions.at(t.y), mesh.positions.at(t.z)};

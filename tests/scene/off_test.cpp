@@ -75,11 +75,7 @@ TEST(Off, ColoursMayBeOfAnyNumber) {
 
 TEST(Off, LinesMayEndInAnyWay) {
   const std::string text = "OFF\n4 2 0\n" + std::string(kPoints) + "3 0 1 2\n3 0 2 3\n";
-  for (const char* end : {"\r", "\r\n"}) {
-    std::string bytes;
-    for (const char c : text) bytes += c == '\n' ? std::string(end) : std::string(1, c);
-    expect_square(bytes);
-  }
+  for (const char* end : {"\r", "\r\n"}) expect_square(with_line_ends(text, end));
 }
 
 TEST(Off, NormalsAreReadAndFourthCoordinatesDivide) {

@@ -167,20 +167,16 @@ TEST(Ply, LinesMayEndInAnyWay) {
   const TemporaryFolder folder;
   const std::string text = header("ascii", 4, 2) + "0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n";
   for (const char* end : {"\r", "\r\n"}) {
-    const auto with_end = [&](const std::string& lines) {
-      std::string bytes;
-      for (const char c : lines) bytes += c == '\n' ? std::string(end) : std::string(1, c);
-      return bytes;
-    };
-    EXPECT_EQ(read_mesh_file(folder.write("a.ply", "\xef\xbb\xbf" + with_end(text))).triangles.size(), 2u);
+    const std::string marked = "\xef\xbb\xbf" + with_line_ends(text, end);
+    EXPECT_EQ(read_mesh_file(folder.write("a.ply", marked)).triangles.size(), 2u);
     // Behind a header that ends in CR alone, an LF is data.
     std::vector<glm::vec3> positions = kSquare;
     const std::array<char, 4> bytes = {'\n', '\n', '\x40', '\x3f'};
     std::memcpy(&positions[0].x, bytes.data(), 4);
     const std::string binary = binary_square(false, {{0, 1, 2}}, positions);
     const std::size_t data = binary.find("end_header\n") + 11;
-    EXPECT_EQ(read_mesh_file(folder.write("a.ply", with_end(binary.substr(0, data)) + binary.substr(data))).positions,
-              positions);
+    const std::string ended = with_line_ends(binary.substr(0, data), end) + binary.substr(data);
+    EXPECT_EQ(read_mesh_file(folder.write("a.ply", ended)).positions, positions);
   }
 }
 
