@@ -5,12 +5,11 @@
 #include <stdexcept>
 #include <utility>
 
-#include <embree3/rtcore.h>
 #include <fmt/format.h>
 
 #include "method/stopwatch.h"
 #include "reference/embree_buffers.h"
-#include "scene/embree_handles.h"
+#include "scene/embree.h"
 
 namespace lkao::bench {
 namespace {

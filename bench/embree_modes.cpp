@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <type_traits>
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
@@ -11,25 +12,13 @@
 namespace lkao::bench {
 namespace {
 
+using scene::embree::Order;
+using scene::embree::RayQuery;
+
 void set_bit(std::uint64_t* words, int bit) { words[bit / 64] |= std::uint64_t{1} << (bit % 64); }
 
 template <int kWidth>
-struct Api;
-template <>
-struct Api<4> {
-  using Rays = RTCRay4;
-  static constexpr auto kOccluded = rtcOccluded4;
-};
-template <>
-struct Api<8> {
-  using Rays = RTCRay8;
-  static constexpr auto kOccluded = rtcOccluded8;
-};
-template <>
-struct Api<16> {
-  using Rays = RTCRay16;
-  static constexpr auto kOccluded = rtcOccluded16;
-};
+using Rays = std::conditional_t<kWidth == 4, RTCRay4, std::conditional_t<kWidth == 8, RTCRay8, RTCRay16>>;
 
 template <int kWidth>
 class Packet {
@@ -63,37 +52,37 @@ class Packet {
     rays_.tfar[lane] = 1;
   }
 
-  void cast(RTCScene scene, RTCIntersectContext& context) { Api<kWidth>::kOccluded(valid_, scene, &context, &rays_); }
+  void cast(RTCScene scene, RayQuery& query) { find_blocked(scene, query, valid_, rays_); }
   bool blocked(int lane) const { return valid_[lane] != 0 && rays_.tfar[lane] < 0; }
 
   // Takes all rays out; origins stay.
   void clear() { std::fill(std::begin(valid_), std::end(valid_), 0); }
 
  private:
-  typename Api<kWidth>::Rays rays_;
+  Rays<kWidth> rays_;
   alignas(64) int valid_[kWidth];
 };
 
 // Casts the rays of one receiver; `words` is its mask.
-void cast_singly(const ReceiverRays& rays, RTCScene scene, RTCIntersectContext& context, std::uint64_t* words) {
+void cast_singly(const ReceiverRays& rays, RTCScene scene, RayQuery& query, std::uint64_t* words) {
   const glm::vec3& origin = rays.origin;
   reference::for_each_cast_ray(rays, [&](int number) {
     const glm::vec3 segment = rays.ray(number);
     RTCRay ray{origin.x, origin.y, origin.z, 0, segment.x, segment.y, segment.z, 0, 1, ~0u, 0, 0};
-    rtcOccluded1(scene, &context, &ray);
+    find_blocked(scene, query, ray);
     if (ray.tfar < 0) set_bit(words, number);
   });
 }
 
 // The same, `kWidth` rays a call.
 template <int kWidth>
-void cast_packets(const ReceiverRays& rays, RTCScene scene, RTCIntersectContext& context, std::uint64_t* words) {
+void cast_packets(const ReceiverRays& rays, RTCScene scene, RayQuery& query, std::uint64_t* words) {
   Packet<kWidth> packet;
   for (int lane = 0; lane < kWidth; ++lane) packet.place(lane, rays.origin);
   int numbers[kWidth];
   int size = 0;
   const auto cast_packet = [&] {
-    packet.cast(scene, context);
+    packet.cast(scene, query);
     for (int lane = 0; lane < size; ++lane) {
       if (packet.blocked(lane)) set_bit(words, numbers[lane]);
     }
@@ -108,17 +97,16 @@ void cast_packets(const ReceiverRays& rays, RTCScene scene, RTCIntersectContext&
   if (size > 0) cast_packet();
 }
 
-void cast_receiver(int width, const ReceiverRays& rays, RTCScene scene, RTCIntersectContext& context,
-                   std::uint64_t* words) {
+void cast_receiver(int width, const ReceiverRays& rays, RTCScene scene, RayQuery& query, std::uint64_t* words) {
   switch (width) {
     case 1:
-      return cast_singly(rays, scene, context, words);
+      return cast_singly(rays, scene, query, words);
     case 4:
-      return cast_packets<4>(rays, scene, context, words);
+      return cast_packets<4>(rays, scene, query, words);
     case 8:
-      return cast_packets<8>(rays, scene, context, words);
+      return cast_packets<8>(rays, scene, query, words);
     default:
-      return cast_packets<16>(rays, scene, context, words);
+      return cast_packets<16>(rays, scene, query, words);
   }
 }
 
@@ -128,7 +116,7 @@ constexpr int kGroupSize = 16;
 constexpr std::size_t kPartSize = 2 * kGroupSize;
 
 // Ray by ray, for up to kGroupSize receivers at once. Their masks follow each other in `words`.
-void cast_group(std::span<const ReceiverRays> group, int ray_count, RTCScene scene, RTCIntersectContext& context,
+void cast_group(std::span<const ReceiverRays> group, int ray_count, RTCScene scene, RayQuery& query,
                 std::uint64_t* words) {
   const int lane_count = static_cast<int>(group.size());
   const int word_count = ray_count / 64;
@@ -140,7 +128,7 @@ void cast_group(std::span<const ReceiverRays> group, int ray_count, RTCScene sce
       const ReceiverRays& rays = group[static_cast<std::size_t>(lane)];
       if (rays.cast.test(ray) && rays.ray(ray) != glm::vec3(0)) packet.aim(lane, rays.ray(ray));
     }
-    packet.cast(scene, context);
+    packet.cast(scene, query);
     for (int lane = 0; lane < lane_count; ++lane) {
       if (packet.blocked(lane)) set_bit(words + lane * word_count, ray);
     }
@@ -159,24 +147,22 @@ struct Part {
   }
 };
 
-void cast_groups(RTCScene scene, RTCIntersectContext& context, const Part& part) {
+void cast_groups(RTCScene scene, RayQuery& query, const Part& part) {
   thread_local std::vector<ReceiverRays> group(kGroupSize);  // 200 KiB, too much to clear for every part
   for (std::size_t first = part.first; first < part.last; first += kGroupSize) {
     const std::size_t size = std::min<std::size_t>(kGroupSize, part.last - first);
     for (std::size_t i = 0; i < size; ++i) part.ao.rays(part.receivers[first + i], first + i, group[i]);
-    cast_group(std::span(group).first(size), part.ao.pattern().ray_count(), scene, context, part.words_of(first));
+    cast_group(std::span(group).first(size), part.ao.pattern().ray_count(), scene, query, part.words_of(first));
   }
 }
 
 void cast_part(const EmbreeMode& mode, RTCScene scene, const Part& part) {
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  context.flags = mode.flag;
-  if (mode.packing == Packing::receivers) return cast_groups(scene, context, part);
+  RayQuery query(mode.order);
+  if (mode.packing == Packing::receivers) return cast_groups(scene, query, part);
   ReceiverRays rays;
   for (std::size_t k = part.first; k < part.last; ++k) {
     part.ao.rays(part.receivers[k], k, rays);
-    cast_receiver(mode.width, rays, scene, context, part.words_of(k));
+    cast_receiver(mode.width, rays, scene, query, part.words_of(k));
   }
 }
 
@@ -184,14 +170,14 @@ void cast_part(const EmbreeMode& mode, RTCScene scene, const Part& part) {
 
 std::string EmbreeMode::name() const {
   return fmt::format("embree{}{}_{}", width, packing == Packing::receivers ? "_parallel" : "",
-                     flag == RTC_INTERSECT_CONTEXT_FLAG_COHERENT ? "coherent" : "incoherent");
+                     order == Order::coherent ? "coherent" : "incoherent");
 }
 
 std::vector<EmbreeMode> all_embree_modes() {
   std::vector<EmbreeMode> modes;
-  for (const auto flag : {RTC_INTERSECT_CONTEXT_FLAG_COHERENT, RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT}) {
-    for (const int width : {1, 4, 8, 16}) modes.push_back({width, flag});
-    modes.push_back({kGroupSize, flag, Packing::receivers});
+  for (const auto order : {Order::coherent, Order::incoherent}) {
+    for (const int width : {1, 4, 8, 16}) modes.push_back({width, order});
+    modes.push_back({kGroupSize, order, Packing::receivers});
   }
   return modes;
 }

@@ -6,9 +6,8 @@
 #include <string>
 #include <vector>
 
-#include <embree3/rtcore.h>
-
 #include "lkao/ambient_occlusion.h"
+#include "scene/embree.h"
 
 namespace lkao::bench {
 
@@ -19,7 +18,7 @@ enum class Packing {
 
 struct EmbreeMode {
   int width;  // 1, 4, 8 or 16 rays a call; 16 with Packing::receivers
-  RTCIntersectContextFlags flag;
+  scene::embree::Order order;
   Packing packing = Packing::pattern;
 
   // Such as "embree16_coherent", "embree16_parallel_incoherent".

@@ -32,8 +32,7 @@ FirstHits::FirstHits(const scene::Mesh& mesh, float radius)
 void FirstHits::find(const Receiver& receiver, const glm::mat3& frame, std::span<const glm::vec3> directions,
                      std::span<float> distances) const {
   const glm::vec3 origin = receiver.position + surface_offset_ * glm::normalize(receiver.normal);
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
+  scene::embree::RayQuery query;
   for (std::size_t first = 0; first < directions.size(); first += kLaneCount) {
     const std::size_t count = std::min(kLaneCount, directions.size() - first);
     RTCRayHit16 rays;
@@ -47,7 +46,7 @@ void FirstHits::find(const Receiver& receiver, const glm::mat3& frame, std::span
       rays.ray.mask[lane] = ~0u, rays.ray.id[lane] = 0, rays.ray.flags[lane] = 0;
       rays.hit.geomID[lane] = RTC_INVALID_GEOMETRY_ID;
     }
-    rtcIntersect16(valid, scene_.plain(), &context, &rays);
+    intersect(scene_.plain(), query, valid, rays);
     for (std::size_t lane = 0; lane < count; ++lane) {
       const bool hit = rays.hit.geomID[lane] != RTC_INVALID_GEOMETRY_ID;
       distances[first + lane] = hit ? rays.ray.tfar[lane] : std::numeric_limits<float>::infinity();

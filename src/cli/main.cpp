@@ -9,10 +9,14 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <CLI/CLI.hpp>
 
 #include "cli/commands.h"
 #include "cli/interrupt.h"
+#include "lkao/isa.h"
+#include "lkao/version.h"
+#include "scene/embree_version.h"
 
 namespace lkao::cli {
 namespace {
@@ -37,9 +41,14 @@ void check_command_name(const std::vector<Command>& commands, std::string_view n
 // What was printed must have arrived: a full disk is an error like any other.
 int end(int exit_code) { return std::fflush(stdout) == 0 ? exit_code : fail("cannot write to standard output"); }
 
+std::string version_report() {
+  return fmt::format("lkao {}\nEmbree {}, as the reference and for camera rays\ninstruction sets: {}", version(),
+                     scene::embree_version(), fmt::join(available_isas(), ", "));
+}
+
 int run(int argc, char** argv) {
   CLI::App program("Laine-Karras bitmask ambient occlusion: mesh files in, images of occlusion out.", "lkao");
-  program.set_version_flag("--version", "lkao " LKAO_VERSION);
+  program.set_version_flag("--version", version_report());
   program.require_subcommand(0, 1);
   const std::vector<Command> commands = {add_render_command(program), add_bake_command(program),
                                          add_compare_command(program), add_info_command(program),

@@ -10,7 +10,7 @@ cmake_minimum_required(VERSION 3.25)
 
 # The first folders of internal includes, and the libraries that only some parts may know.
 set(prefixes lkao lut bvh query scene bake lod image reference raster method cli bench gpu draco OpenMesh OpenImageIO
-             epoxy EGL tbb embree3)
+             epoxy EGL tbb embree)
 
 set(may_include_include/lkao lkao)
 set(may_include_lut lkao lut)
@@ -19,15 +19,15 @@ set(may_include_src/query lkao lut bvh query tbb)
 foreach(folder IN ITEMS gl frame mesh masks volumes screen)
   set(may_include_gpu/${folder} lkao lut gpu epoxy EGL)
 endforeach()
-set(may_include_src/scene lkao lut bvh query scene draco tbb embree3)
+set(may_include_src/scene lkao lut bvh query scene draco tbb embree)
 set(may_include_src/bake lkao lut scene bake)
-set(may_include_src/lod lkao lut scene lod OpenMesh tbb embree3)
+set(may_include_src/lod lkao lut scene lod OpenMesh tbb embree)
 set(may_include_src/image lkao image OpenImageIO)
-set(may_include_src/reference lkao lut bvh query scene reference tbb embree3)
+set(may_include_src/reference lkao lut bvh query scene reference tbb embree)
 set(may_include_src/raster lkao gpu scene raster epoxy)
 set(may_include_src/method lkao scene lod image reference raster method tbb)
 set(may_include_src/cli lkao scene bake lod image method cli tbb)
-set(may_include_bench lkao lut bvh query scene bake lod image reference raster method bench tbb embree3)
+set(may_include_bench lkao lut bvh query scene bake lod image reference raster method bench tbb embree)
 
 # Within gpu/.
 set(gpu_may_include_gl gl)
@@ -49,7 +49,7 @@ set(file_count 0)
 # judge(PART FILE LINE): counts and names the line where it is an include that PART may not have.
 function(judge PART FILE LINE)
   string(REGEX REPLACE "^[^\"<]*[\"<]([^\">]*).*$" "\\1" header "${LINE}")
-  string(REGEX REPLACE "/.*$" "" prefix "${header}")
+  string(REGEX REPLACE "[34]?/.*$" "" prefix "${header}")  # embree3/, embree4/
   set(is_wrong FALSE)
   if(prefix IN_LIST prefixes AND NOT prefix IN_LIST may_include_${PART})
     set(is_wrong TRUE)

@@ -5,7 +5,6 @@
 #include <limits>
 #include <stdexcept>
 
-#include <embree3/rtcore.h>
 #include <fmt/format.h>
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -15,7 +14,7 @@
 #include <glm/geometric.hpp>
 
 #include "lod/surface_samples.h"
-#include "scene/embree_handles.h"
+#include "scene/embree.h"
 
 namespace lkao::lod {
 namespace {

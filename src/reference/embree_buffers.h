@@ -3,12 +3,11 @@
 
 #include <cstddef>
 
-#include <embree3/rtcore.h>
-
 #include <glm/vec3.hpp>
 
 #include "lkao/index_view.h"
 #include "lkao/position_view.h"
+#include "scene/embree.h"
 
 namespace lkao::reference {
 

@@ -10,6 +10,8 @@
 namespace lkao::reference {
 namespace {
 
+using scene::embree::RayQuery;
+
 // Up to 16 rays from one origin.
 class Packet {
  public:
@@ -39,9 +41,9 @@ class Packet {
   }
 
   // Marks the blocked ones of the rays added, and empties the packet.
-  void cast(RTCScene scene, RTCIntersectContext& context, OcclusionMask& blocked) {
+  void cast(RTCScene scene, RayQuery& query, OcclusionMask& blocked) {
     for (int lane = size_; lane < kLaneCount; ++lane) valid_[lane] = 0;
-    rtcOccluded16(valid_, scene, &context, &rays_);
+    find_blocked(scene, query, valid_, rays_);
     for (int lane = 0; lane < size_; ++lane) {
       if (rays_.tfar[lane] < 0) blocked.set(numbers_[lane]);
     }
@@ -56,43 +58,41 @@ class Packet {
   int size_ = 0;
 };
 
-OcclusionMask cast_packets(const ReceiverRays& rays, RTCScene scene, RTCIntersectContext& context) {
+OcclusionMask cast_packets(const ReceiverRays& rays, RTCScene scene, RayQuery& query) {
   OcclusionMask blocked;
   Packet packet(rays.origin);
   for_each_cast_ray(rays, [&](int ray) {
     packet.add(ray, rays.ray(ray));
-    if (packet.full()) packet.cast(scene, context, blocked);
+    if (packet.full()) packet.cast(scene, query, blocked);
   });
-  packet.cast(scene, context, blocked);
+  packet.cast(scene, query, blocked);
   return blocked;
 }
 
-OcclusionMask cast_single_rays(const ReceiverRays& rays, RTCScene scene, RTCIntersectContext& context) {
+OcclusionMask cast_single_rays(const ReceiverRays& rays, RTCScene scene, RayQuery& query) {
   OcclusionMask blocked;
   const glm::vec3& origin = rays.origin;
   for_each_cast_ray(rays, [&](int number) {
     const glm::vec3 segment = rays.ray(number);
     RTCRay ray{origin.x, origin.y, origin.z, 0, segment.x, segment.y, segment.z, 0, 1, ~0u, 0, 0};
-    rtcOccluded1(scene, &context, &ray);
+    find_blocked(scene, query, ray);
     if (ray.tfar < 0) blocked.set(number);
   });
   return blocked;
 }
 
-OcclusionMask cast(const ReceiverRays& rays, RTCScene scene, RTCIntersectContext& context, Casting casting) {
-  context.flags = RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
-  return casting == Casting::packets ? cast_packets(rays, scene, context) : cast_single_rays(rays, scene, context);
+OcclusionMask cast(const ReceiverRays& rays, RTCScene scene, RayQuery& query, Casting casting) {
+  return casting == Casting::packets ? cast_packets(rays, scene, query) : cast_single_rays(rays, scene, query);
 }
 
 OcclusionMask find_blocked(const EmbreeScene& scene, const ReceiverRays& rays, std::uint32_t excluded_primitive,
                            Sidedness sidedness, Casting casting) {
   if (excluded_primitive != kNoPrimitive || sidedness == Sidedness::one_sided) {
-    FilteredContext context(scene, rays.origin, excluded_primitive, sidedness);
-    return cast(rays, scene.filtered(), context.embree, casting);
+    FilteredRays filtered(scene, rays.origin, excluded_primitive, sidedness);
+    return cast(rays, scene.filtered(), filtered.query, casting);
   }
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  return cast(rays, scene.plain(), context, casting);
+  RayQuery query;
+  return cast(rays, scene.plain(), query, casting);
 }
 
 // Fills `rays` with the rays that the receiver casts and finds those that are blocked.

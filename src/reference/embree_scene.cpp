@@ -41,20 +41,19 @@ bool can_block(const PositionView& positions, const glm::uvec3& triangle) {
 
 // Takes back the hits that do not count, before Embree ends the rays at them.
 void filter_hits(const RTCFilterFunctionNArguments* arguments) {
-  const auto& context = *reinterpret_cast<const FilteredContext*>(arguments->context);
+  const auto& rays = *reinterpret_cast<const FilteredRays*>(arguments->context);
   for (unsigned lane = 0; lane < arguments->N; ++lane) {
     if (arguments->valid[lane] == 0) continue;
     const unsigned primitive = RTCHitN_primID(arguments->hit, arguments->N, lane);
-    const bool excluded = context.scene->primitive(primitive) == context.excluded_primitive;
-    const bool from_behind =
-        context.sidedness == Sidedness::one_sided && !context.scene->faces(primitive, context.origin);
+    const bool excluded = rays.scene->primitive(primitive) == rays.excluded_primitive;
+    const bool from_behind = rays.sidedness == Sidedness::one_sided && !rays.scene->faces(primitive, rays.origin);
     if (excluded || from_behind) arguments->valid[lane] = 0;
   }
 }
 
 }  // namespace
 
-static_assert(std::is_standard_layout_v<FilteredContext>, "the filter casts back from the first member");
+static_assert(std::is_standard_layout_v<FilteredRays>, "the filter casts back from the first member");
 
 EmbreeScene::EmbreeScene(const TriangleMesh& mesh, bool robust, const char* device_config)
     : device_(rtcNewDevice(device_config)), flags_(robust ? RTC_SCENE_FLAG_ROBUST : RTC_SCENE_FLAG_NONE) {
@@ -96,7 +95,7 @@ scene::embree::Scene EmbreeScene::build(unsigned flags) const {
 RTCScene EmbreeScene::filtered() const {
   std::call_once(filtered_once_, [this] {
     // Isolated: while it waits for the build, this thread must not take up another receiver and come back here.
-    tbb::this_task_arena::isolate([this] { filtered_ = build(flags_ | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION); });
+    tbb::this_task_arena::isolate([this] { filtered_ = build(flags_ | scene::embree::kFilterFlag); });
   });
   return filtered_.get();
 }
@@ -113,11 +112,12 @@ void EmbreeScene::check(const char* step) const {
   if (error != RTC_ERROR_NONE) fail(step, error);
 }
 
-FilteredContext::FilteredContext(const EmbreeScene& embree_scene, const glm::vec3& ray_origin, std::uint32_t excluded,
-                                 Sidedness occluder_sidedness)
-    : scene(&embree_scene), origin(ray_origin), excluded_primitive(excluded), sidedness(occluder_sidedness) {
-  rtcInitIntersectContext(&embree);
-  embree.filter = filter_hits;
-}
+FilteredRays::FilteredRays(const EmbreeScene& embree_scene, const glm::vec3& ray_origin, std::uint32_t excluded,
+                           Sidedness occluder_sidedness)
+    : query(scene::embree::Order::incoherent, filter_hits),
+      scene(&embree_scene),
+      origin(ray_origin),
+      excluded_primitive(excluded),
+      sidedness(occluder_sidedness) {}
 
 }  // namespace lkao::reference

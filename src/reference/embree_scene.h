@@ -5,12 +5,10 @@
 #include <mutex>
 #include <vector>
 
-#include <embree3/rtcore.h>
-
 #include <glm/vec3.hpp>
 
 #include "lkao/ambient_occlusion.h"
-#include "scene/embree_handles.h"
+#include "scene/embree.h"
 
 namespace lkao::reference {
 
@@ -21,7 +19,7 @@ class EmbreeScene {
 
   // For the rays of any receiver that excludes no primitive, two-sided: Embree at its full speed.
   RTCScene plain() const { return plain_.get(); }
-  // For FilteredContext. Built at the first call, from any thread.
+  // For FilteredRays. Built at the first call, from any thread.
   RTCScene filtered() const;
 
   // Number in the mesh of Embree's triangle.
@@ -46,12 +44,12 @@ class EmbreeScene {
   mutable scene::embree::Scene filtered_;
 };
 
-// The intersection context of the rays of one receiver with an excluded primitive or one-sided occluders.
-struct FilteredContext {
-  FilteredContext(const EmbreeScene& embree_scene, const glm::vec3& ray_origin, std::uint32_t excluded,
-                  Sidedness occluder_sidedness);
+// What casts the rays of one receiver with an excluded primitive or one-sided occluders.
+struct FilteredRays {
+  FilteredRays(const EmbreeScene& embree_scene, const glm::vec3& ray_origin, std::uint32_t excluded,
+               Sidedness occluder_sidedness);
 
-  RTCIntersectContext embree;  // first: Embree hands its address to the filter
+  scene::embree::RayQuery query;  // first: Embree hands its address to the filter
   const EmbreeScene* scene;
   glm::vec3 origin;
   std::uint32_t excluded_primitive;

@@ -7,7 +7,6 @@
 #include <memory>
 #include <stdexcept>
 
-#include <embree3/rtcore.h>
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
 #include <glm/common.hpp>
@@ -15,7 +14,7 @@
 #include <glm/trigonometric.hpp>
 
 #include "lut/coordinates.h"
-#include "scene/embree_handles.h"
+#include "scene/embree.h"
 #include "scene/facet.h"
 
 namespace lkao::scene {
@@ -102,9 +101,8 @@ Hit cast(RTCScene scene, const glm::dvec3& origin, const glm::dvec3& direction) 
   query.ray.tfar = std::numeric_limits<float>::infinity();
   query.ray.mask = ~0u;
   query.hit.geomID = kNothing;
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  rtcIntersect1(scene, &context, &query);
+  embree::RayQuery rays;
+  embree::intersect(scene, rays, query);
   if (query.hit.geomID == kNothing) return {};
   return {query.hit.primID, query.hit.u, query.hit.v};
 }

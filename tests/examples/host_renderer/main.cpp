@@ -13,7 +13,6 @@
 #include <string>
 #include <vector>
 
-#include <embree3/rtcore.h>
 #include <fmt/format.h>
 #include <lkao/lkao.h>  // lkao
 #include <tbb/parallel_for.h>
@@ -30,6 +29,8 @@
 #include "scene/load.h"
 
 namespace {
+
+namespace embree = lkao::scene::embree;
 
 struct Options {
   std::string scene = "builtin:atrium", ao = "embree", radius, output;
@@ -54,9 +55,8 @@ SurfacePoint trace(const Scene& scene, const glm::vec3& eye, const glm::vec3& di
   query.ray.tfar = std::numeric_limits<float>::infinity();
   query.ray.mask = ~0u;
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  rtcIntersect1(scene.embree.plain(), &context, &query);
+  embree::RayQuery rays;
+  embree::intersect(scene.embree.plain(), rays, query);
   if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
   const glm::uvec3& triangle = scene.mesh.triangles[scene.embree.primitive(query.hit.primID)];
   const glm::vec3& a = scene.mesh.positions[triangle.x];
@@ -83,14 +83,13 @@ std::vector<SurfacePoint> trace_camera_rays(const Scene& scene, const lkao::scen
 // The renderer's AO loop: a shadow ray for every sample. The rays are those that lkao casts, so that the images can be
 // compared; making them costs what any sampler costs.
 lkao::ReceiverOcclusion cast_shadow_rays(const Scene& scene, const lkao::ReceiverRays& rays) {
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
+  embree::RayQuery query;
   lkao::ReceiverOcclusion answer;
   for (int i = 0; i < rays.ray_count; ++i) {
     if (!rays.cast.test(i)) continue;
     const glm::vec3 &from = rays.origin, along = rays.ray(i);
     RTCRay ray{from.x, from.y, from.z, 0, along.x, along.y, along.z, 0, 1, ~0u, 0, 0};
-    rtcOccluded1(scene.embree.plain(), &context, &ray);
+    embree::find_blocked(scene.embree.plain(), query, ray);
     if (ray.tfar < 0) answer.mask.set(i);
   }
   answer.occlusion = static_cast<float>(answer.mask.count()) / static_cast<float>(rays.cast.count());
