@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <type_traits>
 #include <utility>
 
 #include <tbb/blocked_range.h>
@@ -91,7 +92,8 @@ const BuildTree& SplitBuilder::build(Pieces pieces, const Progress& progress) {
 
 template <typename Tree>
 Tree* SplitBuilder::create() {
-  return new (memory_.local().allocate(sizeof(Tree), alignof(Tree))) Tree;
+  static_assert(alignof(Tree) <= alignof(std::max_align_t) && std::is_trivially_destructible_v<Tree>);
+  return new (memory_.local().allocate(sizeof(Tree))) Tree;
 }
 
 const BuildTree* SplitBuilder::build_tree(const PieceSet& set, int level, lut::ProgressSum& sum) {

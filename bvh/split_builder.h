@@ -2,12 +2,12 @@
 #pragma once
 
 #include <cstddef>
-#include <memory_resource>
 #include <span>
 
 #include <tbb/enumerable_thread_specific.h>
 
 #include "bvh/build_tree.h"
+#include "bvh/memory_blocks.h"
 #include "bvh/object_bins.h"
 #include "bvh/packed_mesh.h"
 #include "bvh/partition.h"
@@ -57,7 +57,7 @@ class SplitBuilder {
   const PackedMesh& mesh_;
   const bool spatial_splits_;
   Pieces pieces_;
-  tbb::enumerable_thread_specific<std::pmr::monotonic_buffer_resource> memory_;
+  tbb::enumerable_thread_specific<MemoryBlocks> memory_;
 };
 
 }  // namespace lkao::bvh

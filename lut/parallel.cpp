@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <future>
 #include <system_error>
 #include <thread>
 #include <vector>
@@ -18,9 +19,9 @@ void for_each_part(std::uint32_t count, std::uint32_t grain, int thread_count,
     }
   };
   const unsigned wanted = thread_count > 0 ? static_cast<unsigned>(thread_count) : std::thread::hardware_concurrency();
-  std::vector<std::jthread> helpers;
+  std::vector<std::future<void>> helpers;  // which their destructors wait for; libc++ has no std::jthread yet
   try {
-    for (unsigned i = 1; i < std::min(wanted, part_count); ++i) helpers.emplace_back(work);
+    for (unsigned i = 1; i < std::min(wanted, part_count); ++i) helpers.push_back(std::async(std::launch::async, work));
   } catch (const std::system_error&) {
     // No more threads are to be had: those that there are do the work.
   }
