@@ -3,13 +3,15 @@
 
 #include <hwy/highway.h>
 
+#include "lkao/export.h"
+
 namespace lkao::lut {
 
 // lkao's own choice: what is forced here changes nothing for other users of Highway in the process.
-hwy::ChosenTarget& chosen_target();
+LKAO_API hwy::ChosenTarget& chosen_target();
 
 // Obeys the environment variable LKAO_ISA, once a process. To be called before any dispatch. Throws as force_isa.
-void obey_isa_environment();
+LKAO_API void obey_isa_environment();
 
 }  // namespace lkao::lut
 

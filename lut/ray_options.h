@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "lkao/export.h"
 #include "lkao/plane_mask_table.h"
 #include "lkao/receiver.h"
 #include "lut/require.h"
@@ -10,10 +11,10 @@
 namespace lkao::lut {
 
 // Throws std::invalid_argument where an option is out of its range.
-void check(const RayOptions& options);
+LKAO_API void check(const RayOptions& options);
 
 // Throws the same where the radius is infinite and the table's rays are not all as long as it.
-void check(const RayOptions& options, const PlaneMaskTable& table);
+LKAO_API void check(const RayOptions& options, const PlaneMaskTable& table);
 
 // How far rays start off the surface, in units of the largest coordinate in play (RayOptions::surface_offset).
 inline float relative_surface_offset(const RayOptions& options) { return options.surface_offset * 0x1p-24f; }

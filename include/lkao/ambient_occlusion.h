@@ -13,6 +13,7 @@
 
 #include <glm/vec3.hpp>
 
+#include "lkao/export.h"
 #include "lkao/kernel.h"
 #include "lkao/occluder_bvh.h"
 #include "lkao/occlusion_mask.h"
@@ -20,6 +21,7 @@
 #include "lkao/progress.h"
 #include "lkao/receiver.h"
 #include "lkao/receiver_rays.h"
+#include "lkao/requirements.h"
 #include "lkao/sample_pattern.h"
 
 namespace lkao {
@@ -76,7 +78,7 @@ struct QueryReport {
 // tests them first. That memory takes some 40 KiB for each thread and level of detail, for 64 threads at most; copies
 // share it, and it goes with the last of them. Answers do not depend on it: what it names is tested like any other
 // triangle.
-class AmbientOcclusion {
+class LKAO_API AmbientOcclusion {
  public:
   // Throws std::invalid_argument, naming the option and its value, where one is out of range.
   AmbientOcclusion(OccluderBvh occluders, SamplePattern pattern, const RayOptions& options,

@@ -9,11 +9,14 @@
 
 #include <glm/vec3.hpp>
 
+#include "lkao/export.h"
+#include "lkao/requirements.h"
+
 namespace lkao {
 
 // A view of triangles that somebody else keeps; owns nothing and copies nothing. Three indices a triangle, of 16 or 32
 // bits, at any alignment and any distance.
-class IndexView {
+class LKAO_API IndexView {
  public:
   IndexView() = default;
 

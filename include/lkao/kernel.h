@@ -1,6 +1,8 @@
 // Ways to answer a query on the CPU.
 #pragma once
 
+#include "lkao/requirements.h"
+
 namespace lkao {
 
 // What answers a query ray by ray; the bits are the same.

@@ -30,4 +30,6 @@
 #include "lkao/progress.h"
 #include "lkao/receiver.h"
 #include "lkao/receiver_rays.h"
+#include "lkao/requirements.h"
 #include "lkao/sample_pattern.h"
+#include "lkao/version.h"

@@ -8,6 +8,8 @@
 #include <memory>
 
 #include "lkao/ambient_occlusion.h"
+#include "lkao/export.h"
+#include "lkao/requirements.h"
 
 namespace lkao {
 
@@ -18,7 +20,7 @@ namespace lkao {
 //
 // For one thread at a time; different ones may be used in different threads. Answers are those of AmbientOcclusion, bit
 // for bit. A receiver outside of the box is answered too, no faster than by AmbientOcclusion.
-class Neighbourhood {
+class LKAO_API Neighbourhood {
  public:
   ~Neighbourhood();
   Neighbourhood(Neighbourhood&&) noexcept;

@@ -7,9 +7,11 @@
 
 #include <glm/vec3.hpp>
 
+#include "lkao/export.h"
 #include "lkao/index_view.h"
 #include "lkao/position_view.h"
 #include "lkao/progress.h"
+#include "lkao/requirements.h"
 
 namespace lkao {
 
@@ -63,7 +65,7 @@ struct Layout;
 // of threads. It throws std::invalid_argument where an index is outside `positions`, naming triangle and
 // index, std::bad_alloc where memory is out, and Cancelled where `progress` stops it. A mesh without any usable
 // triangle is valid and blocks nothing. A built hierarchy may be used from any number of threads.
-class OccluderBvh {
+class LKAO_API OccluderBvh {
  public:
   explicit OccluderBvh(const TriangleMesh& mesh, const BuildOptions& options = {}, const Progress& progress = {});
 

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 
+#include "lkao/requirements.h"
 #include "lkao/sample_pattern.h"
 
 namespace lkao {

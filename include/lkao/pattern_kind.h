@@ -1,6 +1,8 @@
 // Ways to spread the directions of a sample pattern.
 #pragma once
 
+#include "lkao/requirements.h"
+
 namespace lkao {
 
 // How directions are spread. Lengths are dealt to all kinds alike; what differs is the error at a ray count, and, for

@@ -1,6 +1,8 @@
 // Ways to find the cell of a plane.
 #pragma once
 
+#include "lkao/requirements.h"
+
 namespace lkao {
 
 // How a plane finds its cell. lut/README.md compares their errors at equal memory.

@@ -11,7 +11,9 @@
 
 #include <glm/vec3.hpp>
 
+#include "lkao/export.h"
 #include "lkao/plane_addressing.h"
+#include "lkao/requirements.h"
 #include "lkao/sample_pattern.h"
 
 namespace lkao {
@@ -44,7 +46,7 @@ class PlaneCells;
 //
 // Immutable; copies share their storage; every member may be called from any thread. Memory: about resolution^3 x
 // ray_count / 8 bytes, twice that with must_may, and as much again for `directions()` where ray lengths differ.
-class PlaneMaskTable {
+class LKAO_API PlaneMaskTable {
  public:
   // Builds on threads of its own (options.thread_count). Throws std::invalid_argument for an option out of range.
   explicit PlaneMaskTable(SamplePattern pattern, const PlaneMaskTableOptions& options = {});

@@ -8,11 +8,14 @@
 
 #include <glm/vec3.hpp>
 
+#include "lkao/export.h"
+#include "lkao/requirements.h"
+
 namespace lkao {
 
 // A view of points that somebody else keeps; owns nothing and copies nothing. Three floats or doubles a point, at any
 // alignment and any distance: interleaved with other data of a vertex, padded to four numbers, or packed.
-class PositionView {
+class LKAO_API PositionView {
  public:
   PositionView() = default;
 
@@ -72,6 +75,6 @@ class PositionView {
 // An origin for points far from zero: the centre of the box around the finite ones, rounded to a power of ten that is
 // not below the box's diagonal. Zero where the box lies no farther from zero than 16 times its diagonal: there floats
 // are fine. Time linear in the number of points.
-glm::dvec3 choose_origin(const PositionView& positions);
+LKAO_API glm::dvec3 choose_origin(const PositionView& positions);
 
 }  // namespace lkao

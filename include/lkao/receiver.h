@@ -7,6 +7,8 @@
 
 #include <glm/vec3.hpp>
 
+#include "lkao/requirements.h"
+
 namespace lkao {
 
 inline constexpr std::uint32_t kNoPrimitive = 0xffffffffu;

@@ -5,6 +5,7 @@
 #include <glm/vec3.hpp>
 
 #include "lkao/occlusion_mask.h"
+#include "lkao/requirements.h"
 #include "lkao/sample_pattern.h"
 
 namespace lkao {

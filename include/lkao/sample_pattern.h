@@ -14,7 +14,9 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include "lkao/export.h"
 #include "lkao/pattern_kind.h"
+#include "lkao/requirements.h"
 
 namespace lkao {
 
@@ -24,11 +26,11 @@ inline constexpr int kMaxRayCount = 1024;
 inline constexpr int kRayCountStep = 64;
 
 // True where `ray_count` is 64, 128, ..., 1024.
-bool is_valid_ray_count(int ray_count);
+LKAO_API bool is_valid_ray_count(int ray_count);
 
 // How much an occluder at distance x (as a share of the AO radius) darkens: rho(x) of Eq. 1.
 // 1 = as much as a touching occluder, 0 = not at all. A falloff never rises with distance.
-class Falloff {
+class LKAO_API Falloff {
  public:
   using Function = std::function<double(double)>;
 
@@ -62,8 +64,8 @@ class Falloff {
 };
 
 // By its name above. Throws std::invalid_argument naming the unknown name and the known ones.
-PatternKind pattern_kind_named(const std::string& name);
-const char* pattern_kind_name(PatternKind kind);
+LKAO_API PatternKind pattern_kind_named(const std::string& name);
+LKAO_API const char* pattern_kind_name(PatternKind kind);
 
 // An immutable set of shadow rays around +z: ray i = direction(i) x length(i), with the AO radius as
 // unit of length. Directions are cosine-weighted over the hemisphere (points spread evenly over the unit
@@ -71,7 +73,7 @@ const char* pattern_kind_name(PatternKind kind);
 // directions (sorted along a Hilbert curve), which keeps bit masks coherent.
 //
 // Copies share their storage; every member may be called from any thread.
-class SamplePattern {
+class LKAO_API SamplePattern {
  public:
   // Same arguments, same pattern. Cost for 1024 rays: some tenth of a second for `lloyd` and `paper`, as much again for
   // a falloff that is not constant; milliseconds for 128.

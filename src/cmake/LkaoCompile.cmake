@@ -21,10 +21,19 @@ endif()
 
 # No fused multiply-adds: the edge test of a triangle must be the exact negation of its neighbour's, and masks must be
 # the same bits with every compiler.
-add_compile_options(-ffp-contract=off -Wall -Wextra -Wpedantic -Wshadow -Wconversion)
+if(MSVC)
+  add_compile_options(/fp:precise /W4)
+else()
+  add_compile_options(-ffp-contract=off -Wall -Wextra -Wpedantic -Wshadow -Wconversion)
+endif()
 # GCC 12 takes concatenated std::strings for overlapping memory (GCC bug 105329).
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
   add_compile_options(-Wno-restrict)
+endif()
+# CMake's default, no build type, means no optimisation: kernels would be some thirty times slower, in silence.
+if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES AND NOT MSVC)
+  message(STATUS "lkao: CMAKE_BUILD_TYPE is not set: lkao itself is compiled with -O3")
+  add_compile_options(-O3)
 endif()
 # Highway's targets for x86 are AVX-512, AVX2 and SSE4; a fourth copy of every kernel for the Core 2 of 2006 is left
 # out. Under sanitizers a copy takes half a minute to compile: there AVX-512 stays for the widest loads and stores, AVX2
@@ -37,9 +46,11 @@ else()
   add_compile_definitions(HWY_DISABLED_TARGETS=HWY_SSSE3)
 endif()
 # For what reads options, once: a third of the time to compile CLI11 goes into making it fast.
-set(lkao_cold "$<$<NOT:$<CONFIG:Debug>>:-O1>")
+if(NOT MSVC)
+  set(lkao_cold "$<$<NOT:$<CONFIG:Debug>>:-O1>")
+endif()
 if(LKAO_WERROR)
-  add_compile_options(-Werror)
+  set(CMAKE_COMPILE_WARNING_AS_ERROR ON)
 endif()
 if(LKAO_SANITIZE)
   add_compile_options(-fsanitize=${LKAO_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)

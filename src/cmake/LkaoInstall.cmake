@@ -1,14 +1,51 @@
-# cmake --install: headers, libraries, the program, and the package for find_package(lkao CONFIG).
+# cmake --install: headers, libraries, the program, and what find_package(lkao CONFIG) and pkg-config read.
+#
+# Components: lkao_lut, lkao_core, lkao_gl: what programs are built with; lkao_runtime, lkao_gl_runtime: shared libraries
+# alone; lkao_program.
 
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 set(lkao_package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/lkao")
+set(lkao_pkg_config_dir "${CMAKE_INSTALL_LIBDIR}/pkgconfig")
 
-# lkao_install(TARGET SET COMPONENT HEADER ...): one library with its part of the package and its public headers.
-function(lkao_install TARGET SET COMPONENT)
-  install(TARGETS ${TARGET} EXPORT ${SET} COMPONENT ${COMPONENT} INCLUDES DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")
+# lkao_install(TARGET SET COMPONENT RUNTIME HEADER ...): one library with its part of the package and its public headers.
+function(lkao_install TARGET SET COMPONENT RUNTIME)
+  if(TARGET ${TARGET}_shared)
+    set(TARGET ${TARGET}_shared)
+  endif()
+  install(TARGETS ${TARGET} EXPORT ${SET}
+          LIBRARY COMPONENT ${RUNTIME} NAMELINK_COMPONENT ${COMPONENT}
+          RUNTIME COMPONENT ${RUNTIME}
+          ARCHIVE COMPONENT ${COMPONENT}
+          INCLUDES DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")
   install(EXPORT ${SET} NAMESPACE lkao:: DESTINATION "${lkao_package_dir}" COMPONENT ${COMPONENT})
   install(FILES ${ARGN} DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/lkao" COMPONENT ${COMPONENT})
+endfunction()
+
+# lkao_install_pc(NAME COMPONENT DESCRIPTION LIBRARY REQUIRES PRIVATE_REQUIRES FLAGS): NAME.pc for pkg-config. What a
+# shared library needs for itself, its users need not have.
+function(lkao_install_pc NAME COMPONENT DESCRIPTION LIBRARY REQUIRES PRIVATE_REQUIRES FLAGS)
+  if(BUILD_SHARED_LIBS)
+    string(APPEND FLAGS " -DLKAO_SHARED")
+  else()
+    string(APPEND REQUIRES " ${PRIVATE_REQUIRES}")
+  endif()
+  cmake_path(RELATIVE_PATH CMAKE_INSTALL_FULL_LIBDIR BASE_DIRECTORY "${CMAKE_INSTALL_PREFIX}/${lkao_pkg_config_dir}"
+             OUTPUT_VARIABLE libraries)
+  cmake_path(RELATIVE_PATH CMAKE_INSTALL_FULL_INCLUDEDIR
+             BASE_DIRECTORY "${CMAKE_INSTALL_PREFIX}/${lkao_pkg_config_dir}" OUTPUT_VARIABLE headers)
+  file(CONFIGURE OUTPUT "${PROJECT_BINARY_DIR}/${NAME}.pc" CONTENT [[
+libdir=${pcfiledir}/@libraries@
+includedir=${pcfiledir}/@headers@
+
+Name: @NAME@
+Description: @DESCRIPTION@
+Version: @PROJECT_VERSION@
+Requires: @REQUIRES@
+Cflags: -I${includedir} @FLAGS@
+Libs: -L${libdir} -l@LIBRARY@
+]] @ONLY)
+  install(FILES "${PROJECT_BINARY_DIR}/${NAME}.pc" DESTINATION "${lkao_pkg_config_dir}" COMPONENT ${COMPONENT})
 endfunction()
 
 # Public headers by the library that they belong to.
@@ -20,13 +57,16 @@ foreach(header IN ITEMS ambient_occlusion kernel lkao neighbourhood occluder_bvh
 endforeach()
 list(REMOVE_ITEM lkao_lut_headers ${lkao_cpu_headers} "${lkao_headers}/gl.h")
 
-lkao_install(lkao_lut lkaoLutTargets lkao_lut ${lkao_lut_headers})
+lkao_install(lkao_lut lkaoLutTargets lkao_lut lkao_runtime ${lkao_lut_headers})
+lkao_install_pc(lkao-lut lkao_lut "Sample patterns and plane mask tables of ambient occlusion" lkao_lut glm libhwy "")
 if(LKAO_BUILD_CPU)
-  lkao_install(lkao lkaoTargets lkao_core ${lkao_cpu_headers})
+  lkao_install(lkao lkaoTargets lkao_core lkao_runtime ${lkao_cpu_headers})
+  lkao_install_pc(lkao lkao_core "${PROJECT_DESCRIPTION}" lkao lkao-lut "tbb libhwy" "")
 endif()
 if(LKAO_BUILD_GL)
-  lkao_install(lkao_gl lkaoGlTargets lkao_gl "${lkao_headers}/gl.h")
+  lkao_install(lkao_gl lkaoGlTargets lkao_gl lkao_gl_runtime "${lkao_headers}/gl.h")
   install(DIRECTORY "${lkao_headers}/gl" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/lkao" COMPONENT lkao_gl)
+  lkao_install_pc(lkao-gl lkao_gl "${PROJECT_DESCRIPTION}, as an OpenGL pass" lkao_gl lkao-lut "epoxy egl" "")
 endif()
 
 configure_package_config_file("${CMAKE_CURRENT_LIST_DIR}/lkaoConfig.cmake.in" "${PROJECT_BINARY_DIR}/lkaoConfig.cmake"
@@ -37,7 +77,16 @@ install(FILES "${PROJECT_BINARY_DIR}/lkaoConfig.cmake" "${PROJECT_BINARY_DIR}/lk
 
 if(TARGET lkao_cli)
   set(lkao_libraries "$ORIGIN/../${CMAKE_INSTALL_LIBDIR}")
-  set_target_properties(lkao_cli PROPERTIES INSTALL_RPATH "${lkao_libraries};${lkao_libraries}/lkao")
+  set_target_properties(lkao_cli PROPERTIES INSTALL_RPATH "${lkao_libraries}/lkao")
   install(TARGETS lkao_cli RUNTIME COMPONENT lkao_program)
   install(TARGETS lkao_image_codec LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}/lkao" COMPONENT lkao_program)
+endif()
+
+install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DOCDIR}" COMPONENT lkao_lut)
+
+if(PROJECT_IS_TOP_LEVEL)
+  add_custom_target(uninstall
+    COMMAND "${CMAKE_COMMAND}" "-DMANIFESTS=${PROJECT_BINARY_DIR}" -P "${CMAKE_CURRENT_LIST_DIR}/uninstall.cmake"
+    COMMENT "Removing what was installed from this folder last"
+    VERBATIM)
 endif()

@@ -3,23 +3,45 @@
 # Include roots: "lkao/file.h" is public; "lut/file.h", "bvh/file.h", "gpu/file.h" and "scene/file.h" ... are internal.
 set(lkao_include_roots "${PROJECT_SOURCE_DIR}/include" "${PROJECT_SOURCE_DIR}" "${PROJECT_SOURCE_DIR}/src")
 
-# lkao_public_library(TARGET NAME)
-#   What the libraries that are installed, lkao::NAME, have in common.
-function(lkao_public_library TARGET NAME)
-  target_compile_features(${TARGET} PUBLIC cxx_std_20)
-  target_include_directories(${TARGET} PUBLIC "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>"
-                                       PRIVATE ${lkao_include_roots})
-  set_target_properties(${TARGET} PROPERTIES EXPORT_NAME ${NAME} VERSION ${PROJECT_VERSION} SOVERSION 0)
-endfunction()
+# Of lkao's own sources, static libraries and objects: only what LKAO_API marks is seen from outside of a shared object.
+set(lkao_hidden CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
+set(lkao_shared_definitions "$<$<BOOL:${BUILD_SHARED_LIBS}>:LKAO_SHARED;LKAO_BUILDING>")
 
-# lkao_core_library()
-#   The target lkao, still empty: lkao_core_part adds to it.
-function(lkao_core_library)
-  add_library(lkao)
-  add_library(lkao::lkao ALIAS lkao)
-  lkao_public_library(lkao lkao)
-  target_link_libraries(lkao PUBLIC lkao::lut)
-  set_target_properties(lkao PROPERTIES LINKER_LANGUAGE CXX)
+# lkao_public_library(TARGET NAME [OBJECTS] SOURCES a.cpp ... LKAO lkao_lut ... LINKS x ...)
+#   A library that is installed as lkao::NAME. TARGET is always a static one, for the program and the tests, which see
+#   all its names. With BUILD_SHARED_LIBS, lkao::NAME is TARGET_shared, of the same objects. LKAO: the public libraries
+#   it stands on; LINKS: external libraries that its headers do not show. OBJECTS: without sources of its own;
+#   lkao_core_part adds objects.
+function(lkao_public_library TARGET NAME)
+  cmake_parse_arguments(PARSE_ARGV 2 library "OBJECTS" "" "SOURCES;LKAO;LINKS")
+  add_library(${TARGET} STATIC ${library_SOURCES})
+  set_target_properties(${TARGET} PROPERTIES ${lkao_hidden})
+  target_compile_definitions(${TARGET} PRIVATE ${lkao_shared_definitions})
+  target_link_libraries(${TARGET} PUBLIC ${library_LKAO})
+  set(published ${TARGET})
+  if(BUILD_SHARED_LIBS)
+    set(published ${TARGET}_shared)
+    add_library(${published} SHARED)
+    if(NOT library_OBJECTS)
+      target_sources(${published} PRIVATE $<TARGET_OBJECTS:${TARGET}>)
+    endif()
+    target_compile_definitions(${published} INTERFACE LKAO_SHARED)
+    list(TRANSFORM library_LKAO APPEND _shared)
+    target_link_libraries(${published} PUBLIC ${library_LKAO})
+    # What is missing in the libraries it stands on is seen here and not by its first user.
+    target_link_options(${published} PRIVATE $<$<PLATFORM_ID:Linux>:LINKER:--no-undefined>)
+  endif()
+  add_library(lkao::${NAME} ALIAS ${published})
+  foreach(target IN ITEMS ${TARGET} ${published})
+    target_compile_features(${target} PUBLIC cxx_std_20)
+    target_include_directories(${target} PUBLIC "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>"
+                                         PRIVATE ${lkao_include_roots})
+    target_link_libraries(${target} PUBLIC glm::glm PRIVATE ${library_LINKS})
+    # Before 1.0 each minor version is a library of its own.
+    set_target_properties(${target} PROPERTIES
+                          LINKER_LANGUAGE CXX OUTPUT_NAME ${TARGET} EXPORT_NAME ${NAME} VERSION ${PROJECT_VERSION}
+                          SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
+  endforeach()
 endfunction()
 
 # lkao_core_part(NAME SOURCES a.cpp ... LINKS x ...)
@@ -28,11 +50,17 @@ endfunction()
 function(lkao_core_part NAME)
   cmake_parse_arguments(PARSE_ARGV 1 part "" "" "SOURCES;LINKS")
   add_library(lkao_${NAME} OBJECT ${part_SOURCES})
+  set_target_properties(lkao_${NAME} PROPERTIES ${lkao_hidden})
+  target_compile_definitions(lkao_${NAME} PRIVATE ${lkao_shared_definitions})
   target_include_directories(lkao_${NAME} PUBLIC ${lkao_include_roots})
   target_link_libraries(lkao_${NAME} PUBLIC glm::glm ${part_LINKS})
-  target_sources(lkao PRIVATE $<TARGET_OBJECTS:lkao_${NAME}>)
   list(FILTER part_LINKS EXCLUDE REGEX "^lkao_")
-  target_link_libraries(lkao PRIVATE ${part_LINKS})
+  foreach(target IN ITEMS lkao lkao_shared)
+    if(TARGET ${target})
+      target_sources(${target} PRIVATE $<TARGET_OBJECTS:lkao_${NAME}>)
+      target_link_libraries(${target} PRIVATE ${part_LINKS})
+    endif()
+  endforeach()
 endfunction()
 
 # lkao_compile_together(TARGET [ALONE a.cpp ...])

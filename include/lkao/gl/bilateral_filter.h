@@ -3,7 +3,9 @@
 
 #include <memory>
 
+#include "lkao/export.h"
 #include "lkao/gl/frame.h"
+#include "lkao/requirements.h"
 
 namespace lkao::gl {
 
@@ -34,7 +36,7 @@ struct BilateralFilterSetup {
 //
 // Context, state and errors as for MaskPass. Memory: 4 bytes a pixel for the result of the first direction, kept while
 // sizes stay.
-class BilateralFilter {
+class LKAO_API BilateralFilter {
  public:
   explicit BilateralFilter(const BilateralFilterSetup& setup = {});
   ~BilateralFilter();

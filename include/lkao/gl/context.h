@@ -3,6 +3,9 @@
 
 #include <string>
 
+#include "lkao/export.h"
+#include "lkao/requirements.h"
+
 namespace lkao::gl {
 
 enum class Device {
@@ -17,7 +20,7 @@ enum class Device {
 //
 // Threads: a context is current in one thread at a time, as OpenGL wants it. Different contexts may be used in
 // different threads at the same time.
-class HeadlessContext {
+class LKAO_API HeadlessContext {
  public:
   // Leaves the calling thread's current context as it was: call make_current() before the first OpenGL call.
   // Throws std::runtime_error with one line where EGL offers no such device or it cannot do OpenGL 4.5.

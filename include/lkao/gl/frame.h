@@ -5,6 +5,8 @@
 
 #include <glm/mat4x4.hpp>
 
+#include "lkao/requirements.h"
+
 namespace lkao::gl {
 
 // A texture, buffer or other object of the current context; 0 where there is none.

@@ -10,11 +10,13 @@
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
 
+#include "lkao/export.h"
 #include "lkao/gl/frame.h"
 #include "lkao/gl/occluders.h"
 #include "lkao/occlusion_mask.h"
 #include "lkao/plane_mask_table.h"
 #include "lkao/receiver.h"
+#include "lkao/requirements.h"
 
 namespace lkao::gl {
 
@@ -99,7 +101,7 @@ struct ResolveTargets {
 // They leave the context's state as they find it unless MaskPassSetup says otherwise; gpu/README.md lists what they
 // touch. Errors of OpenGL and missing features throw std::runtime_error, wrong arguments std::invalid_argument, both
 // with one line.
-class MaskPass {
+class LKAO_API MaskPass {
  public:
   // Compiles shaders and checks what the driver can do.
   explicit MaskPass(const MaskPassSetup& setup = {});

@@ -6,9 +6,11 @@
 
 #include <glm/vec2.hpp>
 
+#include "lkao/export.h"
 #include "lkao/gl/frame.h"
 #include "lkao/index_view.h"
 #include "lkao/position_view.h"
+#include "lkao/requirements.h"
 
 namespace lkao::gl {
 
@@ -26,7 +28,7 @@ class MeshBuffers;
 // Every member needs the context in which the object was made, current in the calling thread; the destructor too. They
 // leave the context's state as they find it. Errors of OpenGL throw std::runtime_error, wrong arguments
 // std::invalid_argument, both with one line.
-class Occluders {
+class LKAO_API Occluders {
  public:
   // None: nothing is blocked.
   Occluders();

@@ -1,0 +1,25 @@
+# cmake -DMANIFESTS=<build folder> -P uninstall.cmake
+#
+# Removes the files that were installed last from that build folder, and the folders of lkao's own that are empty then.
+
+file(GLOB manifests "${MANIFESTS}/install_manifest*.txt")
+if(NOT manifests)
+  message(FATAL_ERROR "nothing was installed from ${MANIFESTS}")
+endif()
+foreach(manifest IN LISTS manifests)
+  file(STRINGS "${manifest}" files)
+  foreach(file IN LISTS files)
+    file(REMOVE "$ENV{DESTDIR}${file}")
+    cmake_path(GET file PARENT_PATH folder)
+    while(folder MATCHES "/lkao(/|$)")
+      file(GLOB rest "$ENV{DESTDIR}${folder}/*")
+      if(rest OR NOT IS_DIRECTORY "$ENV{DESTDIR}${folder}")
+        break()
+      endif()
+      file(REMOVE_RECURSE "$ENV{DESTDIR}${folder}")
+      cmake_path(GET folder PARENT_PATH folder)
+    endwhile()
+  endforeach()
+  list(LENGTH files count)
+  message(STATUS "Removed ${count} files of ${manifest}")
+endforeach()

@@ -1,0 +1,32 @@
+# cmake -DBINARY=<build folder of from_source, configured> -P check_from_source.cmake
+#
+# lkao's own sources are optimised although the host has no build type, and the host installs nothing of lkao.
+
+file(READ "${BINARY}/compile_commands.json" commands)
+string(JSON count LENGTH "${commands}")
+math(EXPR last "${count} - 1")
+set(lkao_count 0)
+foreach(i RANGE ${last})
+  string(JSON file GET "${commands}" ${i} file)
+  string(JSON command GET "${commands}" ${i} command)
+  if(file MATCHES "/(lut|bvh|src/query)/[a-z_]*.cpp$")
+    math(EXPR lkao_count "${lkao_count} + 1")
+    if(NOT command MATCHES " -O3 ")
+      message(FATAL_ERROR "without a build type, ${file} is compiled by: ${command}")
+    endif()
+  elseif(command MATCHES " -O3 ")
+    message(FATAL_ERROR "lkao changes how the host's ${file} is compiled: ${command}")
+  endif()
+endforeach()
+if(lkao_count LESS 20)
+  message(FATAL_ERROR "only ${lkao_count} sources of lkao are compiled")
+endif()
+
+file(GLOB_RECURSE scripts "${BINARY}/cmake_install.cmake")
+foreach(script IN LISTS scripts)
+  file(READ "${script}" text)
+  string(REGEX MATCH "file\\(INSTALL [^\n]*lkao[^\n]*" install "${text}")
+  if(install)
+    message(FATAL_ERROR "the host would install: ${install}")
+  endif()
+endforeach()
