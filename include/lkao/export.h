@@ -1,5 +1,6 @@
 // LKAO_API: what a shared library shows. All other names stay inside, and so do all names of a static library that ends
-// up in a shared object of its user: two versions of lkao may live in one process. In the headers of lut/ it marks what the other libraries of lkao call.
+// up in a shared object of its user: two versions of lkao may live in one process. In the headers of lut/ it marks what
+// the other libraries of lkao call.
 #pragma once
 
 // LKAO_SHARED is defined by the targets of a shared lkao, for itself and for its users.

@@ -1,14 +1,14 @@
 # cmake --install: headers, libraries, the program, and what find_package(lkao CONFIG) and pkg-config read.
 #
-# Components: lkao_lut, lkao_core, lkao_gl: what programs are built with; lkao_runtime, lkao_gl_runtime: shared libraries
-# alone; lkao_program.
+# Components: lkao_lut, lkao_core, lkao_gl: what programs are built with; lkao_runtime, lkao_gl_runtime: the libraries of
+# a shared lkao alone; lkao_program.
 
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 set(lkao_package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/lkao")
 set(lkao_pkg_config_dir "${CMAKE_INSTALL_LIBDIR}/pkgconfig")
 
-# lkao_install(TARGET SET COMPONENT RUNTIME HEADER ...): one library with its part of the package and its public headers.
+# lkao_install(TARGET SET COMPONENT RUNTIME HEADER ...): one library with its part of the package, and public headers.
 function(lkao_install TARGET SET COMPONENT RUNTIME)
   if(TARGET ${TARGET}_shared)
     set(TARGET ${TARGET}_shared)
