@@ -1,15 +1,29 @@
 #include "lkao/gl/occluders.h"
 
+#include <stdexcept>
+#include <vector>
+
 #include "gpu/gl/error.h"
+#include "gpu/mesh/instances.h"
 #include "gpu/mesh/mesh_buffers.h"
 
 namespace lkao::gl {
 
-Occluders::Occluders() : Occluders({}, {}) {}
+Occluders::Occluders() : Occluders(PositionView(), IndexView()) {}
 
 Occluders::Occluders(const PositionView& positions, const IndexView& triangles, std::span<const glm::vec2> ranges) {
   require_clean_context();
   buffers_ = std::make_unique<MeshBuffers>(positions, triangles, ranges);
+}
+
+Occluders::Occluders(std::span<const MeshInstance> instances) {
+  require_clean_context();
+  instances_ = std::make_unique<Instances>(instances);
+  const std::vector<glm::vec3> places(instances_->position_count());
+  const std::vector<glm::uvec3> triangles = instances_->triangles(instances);
+  buffers_ = std::make_unique<MeshBuffers>(places, triangles, std::span<const glm::vec2>());
+  instances_->find_positions(buffers_->positions_buffer());
+  check_errors("finding the positions of instances");
 }
 
 Occluders::~Occluders() = default;
@@ -18,7 +32,16 @@ Occluders& Occluders::operator=(Occluders&&) noexcept = default;
 
 void Occluders::update_positions(const PositionView& positions) {
   require_clean_context();
+  if (instances_) throw std::runtime_error("these occluders are instances: update_transforms() moves them");
   buffers_->update_positions(positions);
+}
+
+void Occluders::update_transforms(std::span<const glm::mat4x3> to_world) {
+  require_clean_context();
+  if (!instances_) throw std::runtime_error("these occluders are no instances: update_positions() moves them");
+  instances_->set_transforms(to_world);
+  instances_->find_positions(buffers_->positions_buffer());
+  check_errors("moving instances");
 }
 
 ObjectName Occluders::positions_buffer() const { return buffers_->positions_buffer(); }

@@ -1,10 +1,10 @@
 #include "gpu/mesh/shape_lists.h"
 
-#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstdint>
 
+#include "gpu/mesh/dispatch.h"
 #include "gpu/mesh/draw_words.h"
 #include "gpu/mesh/units.h"
 
@@ -140,10 +140,7 @@ void ShapeLists::Part::classify(std::size_t triangle_count, bool is_two_sided) c
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, LKAO_STORAGE_PRISMS, prisms.name());
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, LKAO_STORAGE_BILLBOARDS, billboards.name());
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, LKAO_STORAGE_FRAMES, frames.name());
-  // Rows of groups: no count may be larger than 65535.
-  const std::size_t group_count = (triangle_count + LKAO_GROUP_SIZE - 1) / LKAO_GROUP_SIZE;
-  const std::size_t columns = std::min<std::size_t>(group_count, 32768);
-  glDispatchCompute(static_cast<GLuint>(columns), static_cast<GLuint>((group_count + columns - 1) / columns), 1);
+  dispatch_for_each(triangle_count);
 }
 
 void ShapeLists::Part::bind(Shape shape) const {

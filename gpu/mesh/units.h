@@ -24,4 +24,10 @@
 #define LKAO_STORAGE_EXTENT 5
 #define LKAO_MESH_STORAGE_COUNT 6
 
+// Of transform.comp.glsl, which runs between passes.
+#define LKAO_STORAGE_WORLD 0
+#define LKAO_STORAGE_LOCAL 1
+#define LKAO_STORAGE_INSTANCES 2
+#define LKAO_TRANSFORM_STORAGE_COUNT 3
+
 #endif

@@ -52,6 +52,9 @@ class LKAO_API PositionView {
     if (are_doubles_) return glm::vec3(exact(i) - origin_);
     return read<float>(i);
   }
+  // The same points in memory, seen in the same way.
+  friend bool operator==(const PositionView&, const PositionView&) = default;
+
   // With the origin, in double.
   glm::dvec3 exact(std::size_t i) const {
     return are_doubles_ ? glm::dvec3(read<double>(i)) : glm::dvec3(read<float>(i));

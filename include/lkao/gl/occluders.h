@@ -4,6 +4,7 @@
 #include <memory>
 #include <span>
 
+#include <glm/mat4x3.hpp>
 #include <glm/vec2.hpp>
 
 #include "lkao/export.h"
@@ -21,7 +22,18 @@ enum class GeometryBackEnd {
   vertex_pulling,   // indexed draws without vertex attributes
 };
 
+// A mesh, in arrays of any layout and in a space of its own, and where it stands. Instances whose positions are the
+// same array share one copy of it.
+struct MeshInstance {
+  PositionView positions;
+  IndexView triangles;
+  // Any affine transform to the world, mirrors and shears too. Positions are found as a CPU does that multiplies in
+  // double and rounds once.
+  glm::mat4x3 to_world{1};
+};
+
 class MeshBuffers;
+class Instances;
 
 // What blocks rays. One copy of a mesh serves any number of passes of the same context.
 //
@@ -40,15 +52,23 @@ class LKAO_API Occluders {
   // r_max, std::runtime_error where there are more positions than GL_MAX_TEXTURE_BUFFER_SIZE. Takes 12 bytes a position
   // and 12 bytes a triangle, 20 with ranges; each pass that draws it takes 40 bytes a triangle.
   Occluders(const PositionView& positions, const IndexView& triangles, std::span<const glm::vec2> ranges = {});
+  // Several meshes, and meshes in several places. Front faces are counter-clockwise as seen in the mesh's own space:
+  // a mirror changes no front. Throws as above, and where a transform is not finite. Takes 12 bytes a position of each
+  // mesh, and of each instance what a mesh takes, since every instance has its own triangles in the world.
+  explicit Occluders(std::span<const MeshInstance> instances);
   ~Occluders();
   Occluders(Occluders&&) noexcept;
   Occluders& operator=(Occluders&&) noexcept;
 
   // New positions for the same triangles, as many as before. Nothing is rebuilt: passes find bounds anew in every
-  // frame.
+  // frame. Throws std::runtime_error for occluders that are made of instances.
   void update_positions(const PositionView& positions);
-  // The buffer of positions, three floats each, for meshes that move on the GPU: write there between draws, with
-  // glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT) after a shader. As long-lived as this object.
+  // Where the instances stand from now on, as many as there are: costs their matrices and a shader over all positions.
+  // Throws std::invalid_argument where a transform is not finite, or mirrors where the first did not, and
+  // std::runtime_error where these occluders are not made of instances.
+  void update_transforms(std::span<const glm::mat4x3> to_world);
+  // The buffer of positions in the world, three floats each, for meshes that move on the GPU: write there between
+  // draws, with glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT) after a shader. As long-lived as this object.
   ObjectName positions_buffer() const;
 
   // For the passes of this library.
@@ -56,6 +76,7 @@ class LKAO_API Occluders {
 
  private:
   std::unique_ptr<MeshBuffers> buffers_;
+  std::unique_ptr<Instances> instances_;  // none: a mesh in the world
 };
 
 }  // namespace lkao::gl
