@@ -43,14 +43,18 @@ bool has_glx_context() {
   return false;
 }
 
+void drop_errors() {
+  // Without a context glGetError never comes to an end.
+  for (int i = 0; i < 16 && glGetError() != GL_NO_ERROR; ++i) {
+  }
+}
+
 }  // namespace
 
 void check_errors(const char* doing) {
   const GLenum error = glGetError();
   if (error == GL_NO_ERROR) return;
-  // Without a context glGetError never comes to an end.
-  for (int i = 0; i < 16 && glGetError() != GL_NO_ERROR; ++i) {
-  }
+  drop_errors();
   throw std::runtime_error(fmt::format("OpenGL error {} while {}", name_of(error), doing));
 }
 
@@ -65,8 +69,9 @@ void require_context() {
   }
 }
 
-void require_clean_context() {
+void require_clean_context(HostErrors host_errors) {
   require_context();
+  if (host_errors == HostErrors::dropped) return drop_errors();
   check_errors("something before lkao was called");
 }
 

@@ -1,6 +1,8 @@
 // OpenGL's errors as exceptions.
 #pragma once
 
+#include "lkao/gl/status.h"
+
 namespace lkao::gl {
 
 // Throws std::runtime_error, one line with the error's name, where OpenGL has noted an error since the last call.
@@ -14,6 +16,6 @@ bool has_context();
 void require_context();
 
 // Before each call of a pass: a context, and no error of somebody else's that would be taken for one of ours.
-void require_clean_context();
+void require_clean_context(HostErrors host_errors = HostErrors::reported);
 
 }  // namespace lkao::gl

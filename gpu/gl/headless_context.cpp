@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "gpu/gl/status_of.h"
 #include "lkao/gl/context.h"
 
 namespace lkao::gl {
@@ -152,6 +153,16 @@ void HeadlessContext::make_current() {
     throw std::runtime_error("cannot make the OpenGL context of " + renderer_ +
                              " current: is it current in another thread?");
   }
+}
+
+std::unique_ptr<HeadlessContext> HeadlessContext::try_make(Device device, Status& status) noexcept {
+  std::unique_ptr<HeadlessContext> context;
+  status = status_of([&] { context = std::make_unique<HeadlessContext>(device); });
+  return context;
+}
+
+Status HeadlessContext::try_make_current() noexcept {
+  return status_of([&] { make_current(); });
 }
 
 void HeadlessContext::release() {

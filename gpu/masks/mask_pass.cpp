@@ -8,6 +8,7 @@
 #include "gpu/frame/occlusion_target.h"
 #include "gpu/frame/texture_checks.h"
 #include "gpu/gl/error.h"
+#include "gpu/gl/status_of.h"
 #include "gpu/masks/mask_pass_state.h"
 #include "lut/ray_options.h"
 
@@ -25,7 +26,7 @@ void validate(const ResolveTargets& written, int width, int height) {
 }  // namespace
 
 MaskPass::MaskPass(const MaskPassSetup& setup) {
-  require_clean_context();
+  require_clean_context(setup.host_errors);
   const StateKeeper keeper(kDrawUse, setup.keep_state);
   state_ = std::make_unique<State>(setup);
   check_errors("making a MaskPass");
@@ -36,13 +37,13 @@ MaskPass::MaskPass(MaskPass&&) noexcept = default;
 MaskPass& MaskPass::operator=(MaskPass&&) noexcept = default;
 
 void MaskPass::set_table(const PlaneMaskTable& table) {
-  require_clean_context();
+  require_clean_context(state_->setup.host_errors);
   state_->set_table(table);
 }
 
 void MaskPass::draw(const Occluders& occluders, const GBuffer& g_buffer, const Camera& camera,
                     const RayOptions& options, const RasterOptions& raster) {
-  require_clean_context();
+  require_clean_context(state_->setup.host_errors);
   lut::check(options);
   lut::require(raster.billboard_threshold >= 0, "billboard_threshold", "at least 0", raster.billboard_threshold);
   gl::validate(g_buffer);
@@ -68,12 +69,31 @@ void MaskPass::draw(const Occluders& occluders, const GBuffer& g_buffer, const C
 }
 
 void MaskPass::resolve(const ResolveTargets& written) {
-  require_clean_context();
+  require_clean_context(state_->setup.host_errors);
   state_->require_drawn();
   validate(written, state_->images.width(), state_->images.height());
   const StateKeeper keeper(kResolveUse, state_->setup.keep_state);
   state_->write_targets(written);
   check_errors("resolving occlusion");
+}
+
+std::optional<MaskPass> MaskPass::try_make(const MaskPassSetup& setup, Status& status) noexcept {
+  std::optional<MaskPass> pass;
+  status = status_of([&] { pass.emplace(setup); });
+  return pass;
+}
+
+Status MaskPass::try_set_table(const PlaneMaskTable& table) noexcept {
+  return status_of([&] { set_table(table); });
+}
+
+Status MaskPass::try_draw(const Occluders& occluders, const GBuffer& g_buffer, const Camera& camera,
+                          const RayOptions& options, const RasterOptions& raster) noexcept {
+  return status_of([&] { draw(occluders, g_buffer, camera, options, raster); });
+}
+
+Status MaskPass::try_resolve(const ResolveTargets& targets) noexcept {
+  return status_of([&] { resolve(targets); });
 }
 
 ObjectName MaskPass::masks_texture() const {

@@ -25,7 +25,7 @@ std::uint64_t word_of(std::uint32_t low, std::uint32_t high) { return low | std:
 }  // namespace
 
 std::vector<std::uint64_t> MaskPass::read_masks() {
-  require_clean_context();
+  require_clean_context(state_->setup.host_errors);
   state_->require_drawn();
   const StateKeeper keeper(kReadUse, state_->setup.keep_state);
   const MaskImages& images = state_->images;
@@ -45,7 +45,7 @@ std::vector<std::uint64_t> MaskPass::read_masks() {
 }
 
 std::vector<PixelReceiver> MaskPass::read_receivers() {
-  require_clean_context();
+  require_clean_context(state_->setup.host_errors);
   state_->require_drawn();
   const StateKeeper keeper(kReadUse, state_->setup.keep_state);
   const MaskImages& images = state_->images;
@@ -69,7 +69,7 @@ std::vector<PixelReceiver> MaskPass::read_receivers() {
 }
 
 FragmentCounts MaskPass::read_fragment_counts() {
-  require_clean_context();
+  require_clean_context(state_->setup.host_errors);
   state_->require_drawn();
   if (!state_->setup.count_fragments) return {};
   std::array<GLuint, 6> counts{};

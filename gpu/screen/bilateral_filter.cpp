@@ -13,6 +13,7 @@
 #include "gpu/gl/objects.h"
 #include "gpu/gl/program.h"
 #include "gpu/gl/state_keeper.h"
+#include "gpu/gl/status_of.h"
 #include "gpu/gl/uniform_buffer.h"
 #include "gpu/screen/filter_block.h"
 #include "gpu/screen/units.h"
@@ -82,7 +83,7 @@ void BilateralFilter::State::run(int step_x, int step_y, FilterBlock values, Obj
 }
 
 BilateralFilter::BilateralFilter(const BilateralFilterSetup& setup) {
-  require_clean_context();
+  require_clean_context(setup.host_errors);
   state_ = std::make_unique<State>(setup);
   check_errors("making a BilateralFilter");
 }
@@ -93,7 +94,7 @@ BilateralFilter& BilateralFilter::operator=(BilateralFilter&&) noexcept = defaul
 
 void BilateralFilter::filter(const GBuffer& g_buffer, const Camera& camera, ObjectName occlusion,
                              const OcclusionTarget& to, const BilateralFilterOptions& options) {
-  require_clean_context();
+  require_clean_context(state_->setup.host_errors);
   check(options);
   validate(g_buffer);
   require_readable("occlusion", occlusion, g_buffer.width, g_buffer.height, 1);
@@ -108,6 +109,17 @@ void BilateralFilter::filter(const GBuffer& g_buffer, const Camera& camera, Obje
   state_->run(1, 0, block, occlusion, state_->half_filtered.name());
   state_->run(0, 1, block, state_->half_filtered.name(), to.texture);
   check_errors("filtering occlusion");
+}
+
+std::optional<BilateralFilter> BilateralFilter::try_make(const BilateralFilterSetup& setup, Status& status) noexcept {
+  std::optional<BilateralFilter> filter;
+  status = status_of([&] { filter.emplace(setup); });
+  return filter;
+}
+
+Status BilateralFilter::try_filter(const GBuffer& g_buffer, const Camera& camera, ObjectName occlusion,
+                                   const OcclusionTarget& to, const BilateralFilterOptions& options) noexcept {
+  return status_of([&] { filter(g_buffer, camera, occlusion, to, options); });
 }
 
 }  // namespace lkao::gl

@@ -18,3 +18,4 @@
 #include "lkao/gl/frame.h"
 #include "lkao/gl/mask_pass.h"
 #include "lkao/gl/occluders.h"
+#include "lkao/gl/status.h"

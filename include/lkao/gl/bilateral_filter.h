@@ -2,9 +2,11 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "lkao/export.h"
 #include "lkao/gl/frame.h"
+#include "lkao/gl/status.h"
 #include "lkao/requirements.h"
 
 namespace lkao::gl {
@@ -24,6 +26,7 @@ struct BilateralFilterOptions {
 struct BilateralFilterSetup {
   // As MaskPassSetup has it.
   bool keep_state = true;
+  HostErrors host_errors = HostErrors::reported;
 };
 
 // A separable cross-bilateral filter: a mean over neighbours, weighted by how near they are on the screen, how near
@@ -48,6 +51,11 @@ class LKAO_API BilateralFilter {
   // not what it should be.
   void filter(const GBuffer& g_buffer, const Camera& camera, ObjectName occlusion, const OcclusionTarget& to,
               const BilateralFilterOptions& options = {});
+
+  // The same for programs without exceptions; `try_make` gives none where it fails.
+  static std::optional<BilateralFilter> try_make(const BilateralFilterSetup& setup, Status& status) noexcept;
+  Status try_filter(const GBuffer& g_buffer, const Camera& camera, ObjectName occlusion, const OcclusionTarget& to,
+                    const BilateralFilterOptions& options = {}) noexcept;
 
  private:
   struct State;

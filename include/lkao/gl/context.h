@@ -1,9 +1,11 @@
 // An OpenGL context without a window.
 #pragma once
 
+#include <memory>
 #include <string>
 
 #include "lkao/export.h"
+#include "lkao/gl/status.h"
 #include "lkao/requirements.h"
 
 namespace lkao::gl {
@@ -32,6 +34,9 @@ class LKAO_API HeadlessContext {
   // Makes this context the calling thread's current one. Throws std::runtime_error where it cannot be, for example
   // because it is current in another thread.
   void make_current();
+  // Both for programs without exceptions; `try_make` gives none where it fails.
+  static std::unique_ptr<HeadlessContext> try_make(Device device, Status& status) noexcept;
+  Status try_make_current() noexcept;
   // Leaves the calling thread without a current context. Does nothing where this one is not current there.
   void release();
 

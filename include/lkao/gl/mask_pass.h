@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include <glm/mat3x3.hpp>
@@ -13,6 +14,7 @@
 #include "lkao/export.h"
 #include "lkao/gl/frame.h"
 #include "lkao/gl/occluders.h"
+#include "lkao/gl/status.h"
 #include "lkao/occlusion_mask.h"
 #include "lkao/plane_mask_table.h"
 #include "lkao/receiver.h"
@@ -64,6 +66,7 @@ struct MaskPassSetup {
   // frame) and leaves the state that it touches as it needs it: for engines that set all state before each pass of
   // their own.
   bool keep_state = true;
+  HostErrors host_errors = HostErrors::reported;
 };
 
 // Of the last draw().
@@ -137,6 +140,13 @@ class LKAO_API MaskPass {
   // The masks themselves: a GL_TEXTURE_2D_ARRAY of GL_RGBA32UI, 128 rays a layer (ray i: layer i / 128, component
   // i / 32 % 4, bit i % 32). The pass's own; valid until the next draw().
   ObjectName masks_texture() const;
+
+  // The same for programs without exceptions; `try_make` gives none where it fails.
+  static std::optional<MaskPass> try_make(const MaskPassSetup& setup, Status& status) noexcept;
+  Status try_set_table(const PlaneMaskTable& table) noexcept;
+  Status try_draw(const Occluders& occluders, const GBuffer& g_buffer, const Camera& camera, const RayOptions& options,
+                  const RasterOptions& raster = {}) noexcept;
+  Status try_resolve(const ResolveTargets& targets) noexcept;
 
   // What is used, after the driver's check.
   GeometryBackEnd geometry() const;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 
 #include <glm/mat4x3.hpp>
@@ -9,6 +10,7 @@
 
 #include "lkao/export.h"
 #include "lkao/gl/frame.h"
+#include "lkao/gl/status.h"
 #include "lkao/index_view.h"
 #include "lkao/position_view.h"
 #include "lkao/requirements.h"
@@ -51,11 +53,12 @@ class LKAO_API Occluders {
   // (OccluderLevel). Throws std::invalid_argument where an index is outside `positions`, or a range is not 0 <= r_min <
   // r_max, std::runtime_error where there are more positions than GL_MAX_TEXTURE_BUFFER_SIZE. Takes 12 bytes a position
   // and 12 bytes a triangle, 20 with ranges; each pass that draws it takes 40 bytes a triangle.
-  Occluders(const PositionView& positions, const IndexView& triangles, std::span<const glm::vec2> ranges = {});
+  Occluders(const PositionView& positions, const IndexView& triangles, std::span<const glm::vec2> ranges = {},
+            HostErrors host_errors = HostErrors::reported);
   // Several meshes, and meshes in several places. Front faces are counter-clockwise as seen in the mesh's own space:
   // a mirror changes no front. Throws as above, and where a transform is not finite. Takes 12 bytes a position of each
   // mesh, and of each instance what a mesh takes, since every instance has its own triangles in the world.
-  explicit Occluders(std::span<const MeshInstance> instances);
+  explicit Occluders(std::span<const MeshInstance> instances, HostErrors host_errors = HostErrors::reported);
   ~Occluders();
   Occluders(Occluders&&) noexcept;
   Occluders& operator=(Occluders&&) noexcept;
@@ -71,10 +74,18 @@ class LKAO_API Occluders {
   // draws, with glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT) after a shader. As long-lived as this object.
   ObjectName positions_buffer() const;
 
+  // The same for programs without exceptions; `try_make` gives none where it fails.
+  static std::optional<Occluders> try_make(const PositionView& positions, const IndexView& triangles,
+                                           Status& status) noexcept;
+  static std::optional<Occluders> try_make(std::span<const MeshInstance> instances, Status& status) noexcept;
+  Status try_update_positions(const PositionView& positions) noexcept;
+  Status try_update_transforms(std::span<const glm::mat4x3> to_world) noexcept;
+
   // For the passes of this library.
   const MeshBuffers& buffers() const { return *buffers_; }
 
  private:
+  HostErrors host_errors_;
   std::unique_ptr<MeshBuffers> buffers_;
   std::unique_ptr<Instances> instances_;  // none: a mesh in the world
 };
