@@ -14,7 +14,7 @@ class TableKernel {
   TableKernel(const Layout& layout, const Query& query, const PlaneMaskTable& table, NodeMasks node_masks)
       : layout_(layout),
         query_(query),
-        word_count_(query.rays.ray_count / 64),
+        word_count_(query.rays.word_count()),
         lookup_(table, query.rays.frame, query.radius),
         node_masks_(node_masks) {}
 

@@ -1,11 +1,11 @@
 #include "lut/pattern_balance.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 
 #include "lut/disk_relaxation.h"
+#include "lut/lane_sums.h"
 #include "lut/random.h"
 
 namespace lkao::lut {
@@ -20,10 +20,6 @@ constexpr std::uint64_t kTradeReach = 10;
 // How much farther apart heights on the hemisphere count than places on the disk: edges seen by a receiver are mostly
 // level near the horizon, where floors meet walls.
 constexpr double kHeightScale = 2.0;
-
-// Sums are taken in so many lanes: in the same order with every compiler, at the speed of vectors.
-constexpr std::size_t kLaneCount = 8;
-using Lanes = std::array<float, kLaneCount>;
 
 float sum(const Lanes& lanes) {
   return ((lanes[0] + lanes[4]) + (lanes[2] + lanes[6])) + ((lanes[1] + lanes[5]) + (lanes[3] + lanes[7]));
@@ -69,14 +65,12 @@ Balance::Balance(const std::vector<glm::dvec2>& points)
 // What the other points do to point i: the gradient of its distances to them on the disk.
 glm::vec2 Balance::pull_on(std::size_t i) const {
   Lanes pull_x{}, pull_y{};
-  for (std::size_t j = 0; j < count(); j += kLaneCount) {
-    for (std::size_t lane = 0; lane < kLaneCount; ++lane) {
-      const float dx = x_[i] - x_[j + lane], dy = y_[i] - y_[j + lane], dz = z_[i] - z_[j + lane];
-      const float inverse = 1.0f / std::sqrt(dx * dx + dy * dy + dz * dz + 1e-12f);
-      pull_x[lane] += dx * inverse;
-      pull_y[lane] += dy * inverse;
-    }
-  }
+  for_each_in_lanes(count(), [&](std::size_t j, std::size_t lane) {
+    const float dx = x_[i] - x_[j], dy = y_[i] - y_[j], dz = z_[i] - z_[j];
+    const float inverse = 1.0f / std::sqrt(dx * dx + dy * dy + dz * dz + 1e-12f);
+    pull_x[lane] += dx * inverse;
+    pull_y[lane] += dy * inverse;
+  });
   return {sum(pull_x), sum(pull_y)};
 }
 
@@ -108,13 +102,11 @@ float Balance::distance(const Place& a, const Place& b) const {
 float Balance::gain_of_trade(std::size_t i, std::size_t k, const Place& new_i, const Place& new_k) const {
   const Place old_i{x_[i], y_[i], z_[i]}, old_k{x_[k], y_[k], z_[k]};
   Lanes gains{};
-  for (std::size_t j = 0; j < count(); j += kLaneCount) {
-    for (std::size_t lane = 0; lane < kLaneCount; ++lane) {
-      const Place other{x_[j + lane], y_[j + lane], z_[j + lane]};
-      gains[lane] +=
-          (distance(new_i, other) - distance(old_i, other)) + (distance(new_k, other) - distance(old_k, other));
-    }
-  }
+  for_each_in_lanes(count(), [&](std::size_t j, std::size_t lane) {
+    const Place other{x_[j], y_[j], z_[j]};
+    gains[lane] +=
+        (distance(new_i, other) - distance(old_i, other)) + (distance(new_k, other) - distance(old_k, other));
+  });
   // The two themselves were among the others.
   const float with_old =
       distance(new_i, old_i) + distance(new_i, old_k) + distance(new_k, old_i) + distance(new_k, old_k);

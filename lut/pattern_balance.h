@@ -10,7 +10,7 @@ namespace lkao::lut {
 
 // Puts the radii at equal areas (restore_equal_areas), then turns points about the centre, and lets points trade
 // radii, so that every half-space holds the share of directions that is due to it. Local changes only: what was
-// irregular stays so. The number of points must be a multiple of 8. Leaves the points in the order of their radii.
+// irregular stays so. Leaves the points in the order of their radii.
 //
 // Based on: R. Alexander, "Principles of a new method in the study of irregularities of distribution", Inventiones
 // Mathematicae 103, 1991, and K. B. Stolarsky, "Sums of distances between points on a sphere. II", Proceedings of the

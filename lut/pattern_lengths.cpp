@@ -1,13 +1,13 @@
 #include "lut/pattern_lengths.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numeric>
 
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
+#include "lut/lane_sums.h"
 #include "lut/pattern_points.h"
 #include "lut/random.h"
 
@@ -20,9 +20,6 @@ constexpr int kTradesPerPoint = 4;
 constexpr float kElevationWeight = 2.0f;
 // Points that stand for the whole hemisphere.
 constexpr int kBackgroundCount = 1024;
-
-// As in pattern_balance.cpp: the same order of additions everywhere, at the speed of vectors.
-constexpr std::size_t kLaneCount = 8;
 
 glm::vec3 lift(const glm::vec2& point) {
   return {point.x, point.y, std::sqrt(std::max(0.0f, 1.0f - glm::dot(point, point)))};
@@ -80,13 +77,10 @@ float Deal::change_by_trade(std::size_t i, std::size_t k) const {
   const float u_i = shares_[i], u_k = shares_[k];
   const float* row_i = row(i);
   const float* row_k = row(k);
-  std::array<float, kLaneCount> lanes{};
-  for (std::size_t j = 0; j < count(); j += kLaneCount) {
-    for (std::size_t lane = 0; lane < kLaneCount; ++lane) {
-      const float u = shares_[j + lane];
-      lanes[lane] += (row_i[j + lane] - row_k[j + lane]) * (std::max(u_i, u) - std::max(u_k, u));
-    }
-  }
+  Lanes lanes{};
+  for_each_in_lanes(count(), [&](std::size_t j, std::size_t lane) {
+    lanes[lane] += (row_i[j] - row_k[j]) * (std::max(u_i, shares_[j]) - std::max(u_k, shares_[j]));
+  });
   const float with_all = std::accumulate(lanes.begin(), lanes.end(), 0.0f);
   // What the two do to each other stays.
   const float with_each_other = row_i[k] * std::abs(u_i - u_k);

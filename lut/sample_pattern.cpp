@@ -43,10 +43,10 @@ constexpr std::pair<PatternKind, std::string_view> kKindNames[] = {{PatternKind:
                                                                    {PatternKind::sobol, "sobol"},
                                                                    {PatternKind::random, "random"}};
 
-void require_valid_ray_count(std::size_t ray_count) {
-  if (ray_count > kMaxRayCount || !is_valid_ray_count(static_cast<int>(ray_count))) {
-    throw std::invalid_argument(fmt::format("ray count must be a multiple of {} from {} to {}, not {}", kRayCountStep,
-                                            kMinRayCount, kMaxRayCount, ray_count));
+void require_valid_ray_count(std::int64_t ray_count) {
+  if (ray_count < kMinRayCount || ray_count > kMaxRayCount) {
+    throw std::invalid_argument(
+        fmt::format("ray count must be from {} to {}, not {}", kMinRayCount, kMaxRayCount, ray_count));
   }
 }
 
@@ -91,15 +91,11 @@ const char* pattern_kind_name(PatternKind kind) {
   throw std::invalid_argument(fmt::format("pattern kind {} does not exist", static_cast<int>(kind)));
 }
 
-bool is_valid_ray_count(int ray_count) {
-  return ray_count >= kMinRayCount && ray_count <= kMaxRayCount && ray_count % kRayCountStep == 0;
-}
-
 SamplePattern::SamplePattern(std::shared_ptr<const Directions> directions, std::vector<float> lengths)
     : directions_(std::move(directions)), lengths_(std::make_shared<const std::vector<float>>(std::move(lengths))) {}
 
 SamplePattern SamplePattern::make(PatternKind kind, int ray_count, const Falloff& falloff, std::uint64_t seed) {
-  require_valid_ray_count(ray_count < 0 ? 0 : static_cast<std::size_t>(ray_count));
+  require_valid_ray_count(ray_count);
   std::vector<glm::vec2> points;
   const std::vector<glm::dvec2> spread = lut::pattern_points(kind, ray_count, seed);
   std::transform(spread.begin(), spread.end(), std::back_inserter(points), inside_disk);
@@ -113,17 +109,16 @@ SamplePattern SamplePattern::relaxed(int ray_count, const Falloff& falloff, std:
 }
 
 const SamplePattern& SamplePattern::standard(int ray_count) {
-  constexpr std::size_t kPatternCount = kMaxRayCount / kRayCountStep;
-  static std::array<std::once_flag, kPatternCount> made;
-  static std::array<std::optional<SamplePattern>, kPatternCount> patterns;
-  require_valid_ray_count(ray_count < 0 ? 0 : static_cast<std::size_t>(ray_count));
-  const std::size_t slot = static_cast<std::size_t>(ray_count / kRayCountStep - 1);
+  static std::array<std::once_flag, kMaxRayCount + 1> made;
+  static std::array<std::optional<SamplePattern>, kMaxRayCount + 1> patterns;
+  require_valid_ray_count(ray_count);
+  const auto slot = static_cast<std::size_t>(ray_count);
   std::call_once(made[slot], [&] { patterns[slot] = relaxed(ray_count); });
   return *patterns[slot];
 }
 
 SamplePattern SamplePattern::from_disk(std::span<const glm::vec2> points, std::span<const float> lengths) {
-  require_valid_ray_count(points.size());
+  require_valid_ray_count(static_cast<std::int64_t>(points.size()));
   if (lengths.size() != points.size()) {
     throw std::invalid_argument(fmt::format("{} points but {} lengths", points.size(), lengths.size()));
   }

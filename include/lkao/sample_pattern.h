@@ -18,13 +18,15 @@
 
 namespace lkao {
 
-// Ray counts are multiples of kRayCountStep from kMinRayCount to kMaxRayCount.
-inline constexpr int kMinRayCount = 64;
+// A pattern has from kMinRayCount to kMaxRayCount rays.
+inline constexpr int kMinRayCount = 1;
 inline constexpr int kMaxRayCount = 1024;
-inline constexpr int kRayCountStep = 64;
 
-// True where `ray_count` is 64, 128, ..., 1024.
-bool is_valid_ray_count(int ray_count);
+// True from kMinRayCount to kMaxRayCount.
+constexpr bool is_valid_ray_count(int ray_count) { return ray_count >= kMinRayCount && ray_count <= kMaxRayCount; }
+
+// 64-bit words of a mask of so many rays. Bits of the last word beyond them are never set.
+constexpr int word_count_of(int ray_count) { return (ray_count + 63) / 64; }
 
 // How much an occluder at distance x (as a share of the AO radius) darkens: rho(x) of Eq. 1.
 // 1 = as much as a touching occluder, 0 = not at all. A falloff never rises with distance.
@@ -74,8 +76,12 @@ const char* pattern_kind_name(PatternKind kind);
 class SamplePattern {
  public:
   // Same arguments, same pattern. Cost for 1024 rays: some tenth of a second for `lloyd` and `paper`, as much again for
-  // a falloff that is not constant; milliseconds for 128.
-  // Throws std::invalid_argument for a ray count off the grid.
+  // a falloff that is not constant; milliseconds for 128. A query costs the same for every count of the same number of
+  // words, nearly: where the count is free, take a multiple of 64.
+  //
+  // One ray alone points halfway up, at 45 degrees, where the elevations below and above weigh the same (`paper`:
+  // straight up): turned from receiver to receiver, it sees walls, of which one along the normal knows nothing.
+  // Throws std::invalid_argument for a ray count out of range.
   static SamplePattern make(PatternKind kind, int ray_count, const Falloff& falloff = Falloff::constant(),
                             std::uint64_t seed = 0);
 
@@ -98,7 +104,7 @@ class SamplePattern {
 
   int ray_count() const;
   // 64-bit words of a mask of this pattern.
-  int word_count() const { return ray_count() / 64; }
+  int word_count() const { return word_count_of(ray_count()); }
   // Points on the unit disk, one per ray.
   std::span<const glm::vec2> disk() const;
   // Unit directions with z > 0: (x, y, sqrt(1 - x^2 - y^2)).

@@ -26,8 +26,7 @@ void add_occlusion_options(CLI::App& app, OcclusionOptions& options) {
              "AO radius, the length of the longest ray: a length in the scene's unit; or as 5%, of the diagonal of the "
              "scene's box; or inf, then rays go beyond the scene, and JSON says null (required)")
       ->type_name("R|P%|inf");
-  add_parsed(app, "--samples", options.ray_count, parse_ray_count,
-             "Rays a receiver: a multiple of 64 from 64 to 1024 (default: 128)")
+  add_parsed(app, "--samples", options.ray_count, parse_ray_count, "Rays a receiver, from 1 to 1024 (default: 128)")
       ->type_name("N");
   add_parsed(app, "--falloff", options.falloff, Falloff::named,
              "How occluders fade with distance: constant, linear, smooth or exponential (default: constant)")

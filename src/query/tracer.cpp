@@ -41,7 +41,7 @@ Tracer::Visit::Visit(const Tracer& tracer) : tracer_(tracer) {
 Tracer::Visit::Visit(const Tracer& tracer, const Bounds& positions) : Visit(tracer) {
   const Bounds origins = bounds_of_origins(positions, tracer.options_, tracer.extent_.largest_coordinate);
   // More entries cost each receiver more tests, which only many rays earn back.
-  const bool is_worth_more = tracer.is_simd() && tracer.lanes_.x.size() >= 256;
+  const bool is_worth_more = tracer.is_simd() && tracer.lanes_.ray_count >= 256;
   const int most_children = is_worth_more ? bvh::EntryNodes::kMostChildren : bvh::kWidth;
   entries_.reserve(tracer.levels_.size());
   for (const Level& level : tracer.levels_) {

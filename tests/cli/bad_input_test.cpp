@@ -63,8 +63,8 @@ TEST_F(BadInput, InfiniteRadiusOfRaysOfSeveralLengthsInATable) {
   }
 }
 TEST_F(BadInput, SampleCount) {
-  for (const char* samples : {"0", "100", "1088"}) {
-    expect_rejected(render("builtin:wall", {"--samples", samples}), {"--samples", "multiple of 64"});
+  for (const char* samples : {"0", "-64", "1025", "64.5"}) {
+    expect_rejected(render("builtin:wall", {"--samples", samples}), {"--samples", "from 1 to 1024"});
   }
 }
 TEST_F(BadInput, Size) {

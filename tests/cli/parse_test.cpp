@@ -70,10 +70,10 @@ TEST(Parse, SeedsTakeAllBits) {
 
 TEST(Parse, SaysWhatWasExpectedAndWhatItGot) {
   try {
-    parse_ray_count("100");
+    parse_ray_count("0");
     FAIL();
   } catch (const std::invalid_argument& error) {
-    EXPECT_STREQ(error.what(), "expected a multiple of 64 from 64 to 1024, got '100'");
+    EXPECT_STREQ(error.what(), "expected a whole number from 1 to 1024, got '0'");
   }
 }
 

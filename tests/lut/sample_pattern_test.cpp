@@ -22,15 +22,21 @@ class SamplePatternOfCount : public testing::TestWithParam<int> {
   const SamplePattern& pattern() const { return SamplePattern::standard(GetParam()); }
 };
 
-INSTANTIATE_TEST_SUITE_P(Counts, SamplePatternOfCount, testing::Values(64, 128, 192, 512, 1024));
+INSTANTIATE_TEST_SUITE_P(Counts, SamplePatternOfCount, testing::Values(48, 64, 100, 128, 192, 200, 512, 1000, 1024));
 
-TEST(SamplePattern, TakesOnlyCountsOnTheGrid) {
-  for (int count : {-64, 0, 1, 63, 65, 100, 1088, 1 << 30}) {
+TEST(SamplePattern, TakesCountsFrom1To1024) {
+  for (int count : {-64, -1, 0, 1025, 1088, 1 << 30}) {
     EXPECT_FALSE(is_valid_ray_count(count));
     EXPECT_THROW(SamplePattern::relaxed(count), std::invalid_argument) << count;
     EXPECT_THROW(SamplePattern::standard(count), std::invalid_argument) << count;
   }
-  for (int count = 64; count <= 1024; count += 64) EXPECT_TRUE(is_valid_ray_count(count));
+  for (int count = 1; count <= 1024; ++count) {
+    EXPECT_TRUE(is_valid_ray_count(count));
+    EXPECT_EQ(SamplePattern::make(PatternKind::sobol, count).ray_count(), count);
+    EXPECT_EQ(word_count_of(count), (count - 1) / 64 + 1);
+  }
+  EXPECT_EQ(SamplePattern::standard(1).word_count(), 1);
+  EXPECT_THROW(SamplePattern::from_disk({}, {}), std::invalid_argument);
 }
 
 TEST(SamplePattern, NamesWhatIsWrong) {
@@ -68,7 +74,7 @@ TEST_P(SamplePatternOfCount, IsMadeOnceAndIsTheRelaxedOne) {
   const SamplePattern again = SamplePattern::relaxed(GetParam());
   EXPECT_TRUE(std::equal(again.disk().begin(), again.disk().end(), pattern().disk().begin()));
   EXPECT_EQ(pattern().ray_count(), GetParam());
-  EXPECT_EQ(pattern().word_count() * 64, GetParam());
+  EXPECT_EQ(pattern().word_count(), (GetParam() + 63) / 64);
 }
 
 TEST_P(SamplePatternOfCount, HasUnitDirectionsAboveTheHorizon) {
@@ -222,6 +228,54 @@ TEST_P(SamplePatternOfCount, StratifiesLengthsAgainstDirections) {
   }
   EXPECT_LT(half_disk_length_error(linear),
             0.6 * half_disk_length_error(SamplePattern::from_disk(linear.disk(), shuffled)));
+}
+
+// One ray, halfway: as much weight lies above as below.
+TEST(SamplePattern, OfOneRayPointsHalfwayUp) {
+  EXPECT_NEAR(SamplePattern::standard(1).directions()[0].z, std::sqrt(0.5), 1e-6);
+  EXPECT_EQ(SamplePattern::standard(1).with_falloff(Falloff::linear()).lengths()[0], 0.5f);
+}
+
+// Root mean square, over walls of all heights and sides, of the difference between the share of rays that they block
+// and the share that is due.
+double wall_error(const SamplePattern& pattern) {
+  double sum2 = 0;
+  constexpr int kHeights = 20, kTurns = 90;
+  for (int height = 1; height < kHeights; ++height) {
+    // From the foot of an infinite wall its upper edge is seen at this angle above the horizon.
+    const double angle = std::numbers::pi * height / kHeights, due = 0.5 * (1 - std::cos(angle));
+    for (int turn = 0; turn < kTurns; ++turn) {
+      const double side = 2 * std::numbers::pi * (turn + 0.37) / kTurns;
+      const glm::vec3 beyond(std::sin(angle) * std::cos(side), std::sin(angle) * std::sin(side), -std::cos(angle));
+      int count = 0;
+      for (const glm::vec3& direction : pattern.directions()) count += glm::dot(direction, beyond) > 0;
+      const double error = static_cast<double>(count) / pattern.ray_count() - due;
+      sum2 += error * error;
+    }
+  }
+  return std::sqrt(sum2 / ((kHeights - 1) * kTurns));
+}
+
+// No count is worse than those below it: by how much a kind's chance may blur that, of three patterns each.
+TEST(SamplePattern, ErrsLessTheMoreRaysThereAre) {
+  for (const auto& [kind, most] : {std::pair(PatternKind::lloyd, 1.05), std::pair(PatternKind::fibonacci, 1.05),
+                                   std::pair(PatternKind::paper, 1.25), std::pair(PatternKind::sobol, 1.15),
+                                   std::pair(PatternKind::random, 1.15)}) {
+    double last = 1;
+    for (int count = 1; count <= 130; ++count) {
+      double sum2 = 0;
+      for (std::uint64_t seed = 0; seed < 3; ++seed) {
+        const double error = wall_error(SamplePattern::make(kind, count, Falloff::constant(), seed));
+        sum2 += error * error;
+      }
+      const double error = std::sqrt(sum2 / 3);
+      EXPECT_LT(error, most * last) << pattern_kind_name(kind) << ", " << count << " rays";
+      if (kind == PatternKind::lloyd) {
+        EXPECT_LT(error, 0.36 * std::pow(count, -0.75)) << count << " rays";
+      }
+      last = error;
+    }
+  }
 }
 
 // The same rays are the long ones whatever the falloff, and whoever asks first.
