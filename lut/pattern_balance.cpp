@@ -6,6 +6,7 @@
 
 #include "lut/disk_relaxation.h"
 #include "lut/lane_sums.h"
+#include "lut/pattern_points.h"
 #include "lut/random.h"
 
 namespace lkao::lut {
@@ -29,10 +30,11 @@ struct Place {
   float x, y, z;
 };
 
-// Points in the order of their radii, which are fixed: point k lies on circle k, sqrt((k + 1/2) / count) wide.
+// Points in the order of their radii, which are fixed: point k lies on circle k, sqrt((k + 1/2) / count) wide on the
+// disk; here, where the weighting puts it on the hemisphere.
 class Balance {
  public:
-  explicit Balance(const std::vector<glm::dvec2>& points);
+  Balance(const std::vector<glm::dvec2>& points, Weighting weighting);
 
   void turn_all();
   void trade_all(RandomStream& random);
@@ -51,14 +53,17 @@ class Balance {
   float spacing_;
 };
 
-Balance::Balance(const std::vector<glm::dvec2>& points)
+Balance::Balance(const std::vector<glm::dvec2>& points, Weighting weighting)
     : spacing_(static_cast<float>(std::sqrt(std::numbers::pi / static_cast<double>(points.size())))) {
   for (std::size_t k = 0; k < points.size(); ++k) {
     const double area = (static_cast<double>(k) + 0.5) / static_cast<double>(points.size());
-    x_.push_back(static_cast<float>(points[k].x));
-    y_.push_back(static_cast<float>(points[k].y));
-    z_.push_back(static_cast<float>(kHeightScale * std::sqrt(1.0 - area)));
-    radii_.push_back(static_cast<float>(std::sqrt(area)));
+    const bool is_uniform = weighting == Weighting::uniform;
+    const glm::dvec2 place = is_uniform ? to_uniform(points[k]) : points[k];
+    const double height = is_uniform ? 1.0 - area : std::sqrt(1.0 - area);
+    x_.push_back(static_cast<float>(place.x));
+    y_.push_back(static_cast<float>(place.y));
+    z_.push_back(static_cast<float>(kHeightScale * height));
+    radii_.push_back(static_cast<float>(is_uniform ? std::sqrt(1.0 - height * height) : std::sqrt(area)));
   }
 }
 
@@ -131,9 +136,9 @@ std::vector<glm::dvec2> Balance::points() const {
 
 }  // namespace
 
-void balance(std::vector<glm::dvec2>& points, std::uint64_t seed) {
+void balance(std::vector<glm::dvec2>& points, std::uint64_t seed, Weighting weighting) {
   restore_equal_areas(points);
-  Balance state(points);
+  Balance state(points, weighting);
   RandomStream random(seed);
   for (int round = 0; round < kRoundCount; ++round) {
     for (int turn = 0; turn < kTurnsPerRound; ++turn) state.turn_all();
@@ -141,7 +146,7 @@ void balance(std::vector<glm::dvec2>& points, std::uint64_t seed) {
   }
   for (int turn = 0; turn < kTurnsPerRound; ++turn) state.turn_all();
   points = state.points();
-  restore_equal_areas(points);  // from float rounding
+  restore_equal_areas(points);  // from float rounding, and from the hemisphere
 }
 
 }  // namespace lkao::lut

@@ -31,3 +31,4 @@
 #include "lkao/receiver.h"
 #include "lkao/receiver_rays.h"
 #include "lkao/sample_pattern.h"
+#include "lkao/weighting.h"

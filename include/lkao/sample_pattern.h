@@ -15,6 +15,7 @@
 #include <glm/vec3.hpp>
 
 #include "lkao/pattern_kind.h"
+#include "lkao/weighting.h"
 
 namespace lkao {
 
@@ -68,8 +69,8 @@ PatternKind pattern_kind_named(const std::string& name);
 const char* pattern_kind_name(PatternKind kind);
 
 // An immutable set of shadow rays around +z: ray i = direction(i) x length(i), with the AO radius as
-// unit of length. Directions are cosine-weighted over the hemisphere (points spread evenly over the unit
-// disk, lifted), so occlusion is a plain mean over rays (Eq. 3). Neighbouring indices are neighbouring
+// unit of length. Directions are as dense as their weighting says, usually that of the cosine (points spread evenly
+// over the unit disk, lifted), so occlusion is a plain mean over rays (Eq. 3). Neighbouring indices are neighbouring
 // directions (sorted along a Hilbert curve), which keeps bit masks coherent.
 //
 // Copies share their storage; every member may be called from any thread.
@@ -80,26 +81,31 @@ class SamplePattern {
   // words, nearly: where the count is free, take a multiple of 64.
   //
   // One ray alone points halfway up, at 45 degrees, where the elevations below and above weigh the same (`paper`:
-  // straight up): turned from receiver to receiver, it sees walls, of which one along the normal knows nothing.
+  // straight up; evenly weighted, at 30 degrees): turned from receiver to receiver, it sees walls, of which one along
+  // the normal knows nothing.
   // Throws std::invalid_argument for a ray count out of range.
   static SamplePattern make(PatternKind kind, int ray_count, const Falloff& falloff = Falloff::constant(),
-                            std::uint64_t seed = 0);
+                            std::uint64_t seed = 0, Weighting weighting = Weighting::cosine);
 
   // make(PatternKind::lloyd, ...).
-  static SamplePattern relaxed(int ray_count, const Falloff& falloff = Falloff::constant(), std::uint64_t seed = 0);
+  static SamplePattern relaxed(int ray_count, const Falloff& falloff = Falloff::constant(), std::uint64_t seed = 0,
+                               Weighting weighting = Weighting::cosine);
 
-  // The pattern `relaxed(ray_count)` of seed 0 and constant falloff, made at the first call for each count
+  // The pattern `relaxed` of that count and weighting, of seed 0 and constant falloff, made at the first call for each
   // and kept for the life of the process.
-  static const SamplePattern& standard(int ray_count);
+  static const SamplePattern& standard(int ray_count, Weighting weighting = Weighting::cosine);
 
-  // A pattern of the caller's own: points inside the unit disk (|p| < 1) and lengths in [0, 1], one each.
-  // Kept in the given order. Throws std::invalid_argument naming the first bad ray.
+  // A pattern of the caller's own: points inside the unit disk (|p| < 1) and lengths in [0, 1], one each. Point p is
+  // the direction (p, sqrt(1 - |p|^2)), so the density of the points is the caller's weighting: even for that of the
+  // cosine; evenly spread points times sqrt(2 - |p|^2) for directions even by solid angle; for any other density of z,
+  // radii sqrt(1 - z^2). Kept in the given order. Throws std::invalid_argument naming the first bad ray.
   static SamplePattern from_disk(std::span<const glm::vec2> points, std::span<const float> lengths);
 
   // The same directions, with ray lengths distributed after another falloff. Lengths are stratified, one in each
   // of ray_count equal shares, jointly with directions: every region of the hemisphere, and every ring of
-  // elevations, gets its part of short and long rays. Which ray gets which share is found at the first call
-  // (some ten milliseconds for 1024 rays) and kept with the directions.
+  // elevations, gets its part of short and long rays, by the pattern's weighting (that of the cosine for from_disk).
+  // Which ray gets which share is found at the first call (some ten milliseconds for 1024 rays) and kept with the
+  // directions.
   SamplePattern with_falloff(const Falloff& falloff) const;
 
   int ray_count() const;
@@ -111,11 +117,15 @@ class SamplePattern {
   std::span<const glm::vec3> directions() const;
   // Lengths in [0, 1]; the longest is the AO radius.
   std::span<const float> lengths() const;
-  // Elevation of the lowest ray above the horizon, in radians; > 0. No tilt below it hides a ray.
+  // Elevation of the lowest ray above the horizon, in radians; > 0. No tilt below it hides a ray. About sqrt(1 / (2 n))
+  // for n rays of the default, and 1 / (2 n) of its even weighting, whose lowest ring leaves as good as no room for
+  // Jitter::tilt.
   float lowest_elevation() const;
 
  private:
   struct Directions;
+  static SamplePattern from_points(std::span<const glm::vec2> points, std::span<const float> lengths,
+                                   Weighting weighting);
   SamplePattern(std::shared_ptr<const Directions> directions, std::vector<float> lengths);
   std::shared_ptr<const Directions> directions_;
   std::shared_ptr<const std::vector<float>> lengths_;

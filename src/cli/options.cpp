@@ -28,6 +28,13 @@ void add_occlusion_options(CLI::App& app, OcclusionOptions& options) {
       ->type_name("R|P%|inf");
   add_parsed(app, "--samples", options.ray_count, parse_ray_count, "Rays a receiver, from 1 to 1024 (default: 128)")
       ->type_name("N");
+  const auto parse_weighting = [](const std::string& text) {
+    return method::parse_word(method::kWeightingWords, text);
+  };
+  add_parsed(app, "--weighting", options.weighting, parse_weighting,
+             "What the mean over rays stands for: cosine, as renderers define ambient occlusion, or uniform, the share "
+             "of the hemisphere's solid angle (default: cosine)")
+      ->type_name(method::join(method::list_words(method::kWeightingWords), "|"));
   add_parsed(app, "--falloff", options.falloff, Falloff::named,
              "How occluders fade with distance: constant, linear, smooth or exponential (default: constant)")
       ->type_name("NAME");
@@ -43,6 +50,7 @@ void add_occlusion_options(CLI::App& app, OcclusionOptions& options) {
 method::Question OcclusionOptions::question(double length) const {
   return {.radius = static_cast<float>(length),
           .ray_count = ray_count,
+          .weighting = weighting,
           .falloff = falloff,
           .sidedness = sidedness,
           .seed = seed};

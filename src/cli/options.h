@@ -31,6 +31,7 @@ void add_common_options(CLI::App& app, CommonOptions& options);
 struct OcclusionOptions {
   std::optional<method::Radius> radius;
   int ray_count = 128;
+  Weighting weighting = Weighting::cosine;
   Falloff falloff = Falloff::constant();
   Sidedness sidedness = Sidedness::two_sided;
   std::uint64_t seed = 0;

@@ -12,9 +12,12 @@ namespace lkao::method {
 
 inline constexpr Word<Sidedness> kSidednessWords[] = {{"one", Sidedness::one_sided}, {"two", Sidedness::two_sided}};
 
+inline constexpr Word<Weighting> kWeightingWords[] = {{"cosine", Weighting::cosine}, {"uniform", Weighting::uniform}};
+
 struct Question {
   float radius = 0;  // AO radius, > 0; perhaps infinite
   int ray_count = 128;
+  Weighting weighting = Weighting::cosine;
   Falloff falloff = Falloff::constant();
   Sidedness sidedness = Sidedness::two_sided;
   std::uint64_t seed = 0;

@@ -67,6 +67,9 @@ TEST_F(BadInput, SampleCount) {
     expect_rejected(render("builtin:wall", {"--samples", samples}), {"--samples", "from 1 to 1024"});
   }
 }
+TEST_F(BadInput, Weighting) {
+  expect_rejected(render("builtin:wall", {"--weighting", "even"}), {"--weighting", "cosine or uniform", "even"});
+}
 TEST_F(BadInput, Size) {
   for (const char* size : {"0x6", "8x0", "8", "99999x99999"}) {
     const Arguments arguments = {"render", "builtin:wall", "-o", path("out.exr"), "--radius", "1", "--size", size};
