@@ -45,6 +45,10 @@ void add_occlusion_options(CLI::App& app, OcclusionOptions& options) {
              "Sides from which triangles block: one (their front) or two (default: two)")
       ->type_name(method::join(method::list_words(method::kSidednessWords), "|"));
   add_parsed(app, "--seed", options.seed, parse_seed, "Seed of the per-receiver jitter (default: 0)")->type_name("S");
+  add_parsed(app, "--min-distance", options.min_distance, parse_non_negative_number,
+             "Only what is at least so far away occludes: a length in the scene's unit, less than the radius "
+             "(default: 0)")
+      ->type_name("D");
 }
 
 method::Question OcclusionOptions::question(double length) const {
@@ -53,7 +57,8 @@ method::Question OcclusionOptions::question(double length) const {
           .weighting = weighting,
           .falloff = falloff,
           .sidedness = sidedness,
-          .seed = seed};
+          .seed = seed,
+          .min_distance = static_cast<float>(min_distance)};
 }
 
 }  // namespace lkao::cli

@@ -35,6 +35,7 @@ struct OcclusionOptions {
   Falloff falloff = Falloff::constant();
   Sidedness sidedness = Sidedness::two_sided;
   std::uint64_t seed = 0;
+  double min_distance = 0;
 
   // `length` is what the radius is in the scene's unit: resolve_radius() tells it.
   method::Question question(double length) const;

@@ -84,6 +84,7 @@ void add_setting_keys(Json& document, const OcclusionOptions& options) {
   document["falloff"] = options.falloff.name();
   document["sided"] = word_of(method::kSidednessWords, options.sidedness);
   document["seed"] = options.seed;
+  document["min_distance"] = options.min_distance;
   document["threads"] = tbb::this_task_arena::max_concurrency();
 }
 

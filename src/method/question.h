@@ -21,8 +21,11 @@ struct Question {
   Falloff falloff = Falloff::constant();
   Sidedness sidedness = Sidedness::two_sided;
   std::uint64_t seed = 0;
+  float min_distance = 0;  // where rays begin to count
 
-  RayOptions ray_options() const { return {.radius = radius, .sidedness = sidedness, .seed = seed}; }
+  RayOptions ray_options() const {
+    return {.radius = radius, .sidedness = sidedness, .seed = seed, .min_distance = min_distance};
+  }
   SamplePattern pattern() const;
   PlaneMaskTable table(PlaneMasks masks) const;
   // Rays beyond everything, of several lengths: shares of infinity that no table holds.

@@ -13,7 +13,7 @@ namespace lkao::query {
 Tracer::Tracer(std::span<const OccluderLevel> levels, const SamplePattern& pattern, const RayOptions& options,
                const AnyKernel& kernel)
     : options_(options),
-      levels_(make_levels(levels, pattern, options.radius)),
+      levels_(make_levels(levels, pattern, options)),
       extent_(extent_of(levels_)),
       lanes_(pattern, std::isinf(options.radius)),
       cones_(bvh::make_pattern_cones(pattern.directions())),

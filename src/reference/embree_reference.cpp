@@ -1,9 +1,13 @@
 #include "reference/embree_reference.h"
 
+#include <cmath>
 #include <new>
+#include <optional>
 
+#include "bvh/ray_parts.h"
 #include "query/answer.h"
 #include "query/batch.h"
+#include "query/receiver_rays.h"
 #include "reference/cast_rays.h"
 #include "reference/embree_scene.h"
 
@@ -18,7 +22,6 @@ class Packet {
       rays_.org_x[lane] = origin.x;
       rays_.org_y[lane] = origin.y;
       rays_.org_z[lane] = origin.z;
-      rays_.tnear[lane] = 0;
       rays_.time[lane] = 0;
       rays_.mask[lane] = ~0u;
       rays_.id[lane] = 0;
@@ -28,8 +31,10 @@ class Packet {
 
   bool full() const { return size_ == kLaneCount; }
 
-  void add(int ray, const glm::vec3& segment) {
+  // The segment counts from the share `begin` of it on.
+  void add(int ray, const glm::vec3& segment, float begin) {
     numbers_[size_] = ray;
+    rays_.tnear[size_] = begin;
     valid_[size_] = -1;
     rays_.dir_x[size_] = segment.x;
     rays_.dir_y[size_] = segment.y;
@@ -56,43 +61,58 @@ class Packet {
   int size_ = 0;
 };
 
-OcclusionMask cast_packets(const ReceiverRays& rays, RTCScene scene, RTCIntersectContext& context) {
+// Where rays begin to count, as shares of them.
+struct Beginnings {
+  const bvh::RayParts* parts;  // null: at their origin
+
+  bool exists(int ray) const { return parts == nullptr || parts->existing.test(ray); }
+  float of(int ray) const { return parts == nullptr ? 0 : parts->begin[ray]; }
+};
+
+OcclusionMask cast_packets(const ReceiverRays& rays, const Beginnings& beginnings, RTCScene scene,
+                           RTCIntersectContext& context) {
   OcclusionMask blocked;
   Packet packet(rays.origin);
   for_each_cast_ray(rays, [&](int ray) {
-    packet.add(ray, rays.ray(ray));
+    if (!beginnings.exists(ray)) return;
+    packet.add(ray, rays.ray(ray), beginnings.of(ray));
     if (packet.full()) packet.cast(scene, context, blocked);
   });
   packet.cast(scene, context, blocked);
   return blocked;
 }
 
-OcclusionMask cast_single_rays(const ReceiverRays& rays, RTCScene scene, RTCIntersectContext& context) {
+OcclusionMask cast_single_rays(const ReceiverRays& rays, const Beginnings& beginnings, RTCScene scene,
+                               RTCIntersectContext& context) {
   OcclusionMask blocked;
   const glm::vec3& origin = rays.origin;
   for_each_cast_ray(rays, [&](int number) {
+    if (!beginnings.exists(number)) return;
     const glm::vec3 segment = rays.ray(number);
-    RTCRay ray{origin.x, origin.y, origin.z, 0, segment.x, segment.y, segment.z, 0, 1, ~0u, 0, 0};
+    const float begin = beginnings.of(number);
+    RTCRay ray{origin.x, origin.y, origin.z, begin, segment.x, segment.y, segment.z, 0, 1, ~0u, 0, 0};
     rtcOccluded1(scene, &context, &ray);
     if (ray.tfar < 0) blocked.set(number);
   });
   return blocked;
 }
 
-OcclusionMask cast(const ReceiverRays& rays, RTCScene scene, RTCIntersectContext& context, Casting casting) {
+OcclusionMask cast(const ReceiverRays& rays, const Beginnings& beginnings, RTCScene scene, RTCIntersectContext& context,
+                   Casting casting) {
   context.flags = RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
-  return casting == Casting::packets ? cast_packets(rays, scene, context) : cast_single_rays(rays, scene, context);
+  return casting == Casting::packets ? cast_packets(rays, beginnings, scene, context)
+                                     : cast_single_rays(rays, beginnings, scene, context);
 }
 
-OcclusionMask find_blocked(const EmbreeScene& scene, const ReceiverRays& rays, std::uint32_t excluded_primitive,
-                           Sidedness sidedness, Casting casting) {
+OcclusionMask find_blocked(const EmbreeScene& scene, const ReceiverRays& rays, const Beginnings& beginnings,
+                           std::uint32_t excluded_primitive, Sidedness sidedness, Casting casting) {
   if (excluded_primitive != kNoPrimitive || sidedness == Sidedness::one_sided) {
     FilteredContext context(scene, rays.origin, excluded_primitive, sidedness);
-    return cast(rays, scene.filtered(), context.embree, casting);
+    return cast(rays, beginnings, scene.filtered(), context.embree, casting);
   }
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
-  return cast(rays, scene.plain(), context, casting);
+  return cast(rays, beginnings, scene.plain(), context, casting);
 }
 
 // Fills `rays` with the rays that the receiver casts and finds those that are blocked.
@@ -100,7 +120,14 @@ OcclusionMask trace(const EmbreeScene& scene, Casting casting, const AmbientOccl
                     std::uint64_t index, ReceiverRays& rays) {
   ao.rays(receiver, index, rays);
   if (!rays.cast.any()) return {};
-  return find_blocked(scene, rays, receiver.excluded_primitive, ao.options().sidedness, casting);
+  const RayOptions& options = ao.options();
+  std::optional<bvh::RayParts> parts;
+  if (options.min_distance > 0) {
+    const query::PatternLanes lanes(ao.pattern(), std::isinf(options.radius));
+    parts = bvh::make_ray_parts(lanes.length, rays.radius, options.min_distance, rays.radius);
+  }
+  return find_blocked(scene, rays, {parts ? &*parts : nullptr}, receiver.excluded_primitive, options.sidedness,
+                      casting);
 }
 
 }  // namespace

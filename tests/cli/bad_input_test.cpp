@@ -70,6 +70,10 @@ TEST_F(BadInput, SampleCount) {
 TEST_F(BadInput, Weighting) {
   expect_rejected(render("builtin:wall", {"--weighting", "even"}), {"--weighting", "cosine or uniform", "even"});
 }
+TEST_F(BadInput, MinDistance) {
+  expect_rejected(render("builtin:wall", {"--min-distance", "-1"}), {"--min-distance", "at least 0"});
+  expect_rejected(render("builtin:wall", {"--min-distance", "1e6"}), {"min_distance", "less than the radius"});
+}
 TEST_F(BadInput, Size) {
   for (const char* size : {"0x6", "8x0", "8", "99999x99999"}) {
     const Arguments arguments = {"render", "builtin:wall", "-o", path("out.exr"), "--radius", "1", "--size", size};

@@ -161,6 +161,18 @@ TEST_F(Render, TakesAnyNumberOfSamplesOfEitherWeighting) {
   }
 }
 
+TEST_F(Render, CountsFromAMinDistanceOn) {
+  expect_success(wall({"-o", path("out.exr"), "--json", path("out.json")}));
+  const nlohmann::json all = read_json("out.json");
+  EXPECT_EQ(all["min_distance"], 0);
+  expect_success(wall({"-o", path("out.exr"), "--min-distance", "0.125", "--reference", "--json", path("out.json")}));
+  const nlohmann::json part = read_json("out.json");
+  EXPECT_EQ(part["min_distance"], 0.125);
+  EXPECT_LE(part["reference"]["ray_mismatch_rate"], 1e-5);
+  EXPECT_GT(part["occlusion_mean"], 0);
+  EXPECT_LT(part["occlusion_mean"], all["occlusion_mean"]);
+}
+
 TEST_F(Render, EitherMethodMayBeTheReference) {
   expect_success(wall({"-o", path("bvh.exr"), "--method", "bvh"}));
   expect_success(wall({"-o", path("embree.exr"), "--method", "embree", "--reference", "--json", path("out.json")}));

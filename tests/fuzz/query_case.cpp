@@ -125,8 +125,12 @@ class QueryCaseDecoder {
     options.jitter = {.rotation = bytes_.pick(kRotations), .tilt = bytes_.pick(kTilts)};
     options.seed = bytes_.next_byte();
     options.surface_offset = bytes_.pick(kOffsets);
+    if (bytes_.once_in(4)) options.min_distance = decode_min_distance(options.radius);
     return options;
   }
+
+  // Less than the radius, mostly where the soup is.
+  float decode_min_distance(float radius) { return std::min(radius, soup_.placement.scale) * 0.999f * bytes_.share(); }
 
   // The second level knows nothing of primitives that are excluded.
   float decode_level_end(float radius, std::vector<Receiver>& receivers) {
