@@ -77,8 +77,8 @@ const char* pattern_kind_name(PatternKind kind);
 class SamplePattern {
  public:
   // Same arguments, same pattern. Cost for 1024 rays: some tenth of a second for `lloyd` and `paper`, as much again for
-  // a falloff that is not constant; milliseconds for 128. A query costs the same for every count of the same number of
-  // words, nearly: where the count is free, take a multiple of 64.
+  // a falloff that is not constant; milliseconds for 128. Any count is as good as its neighbours; the time of a query
+  // grows with it, more slowly than in proportion.
   //
   // One ray alone points halfway up, at 45 degrees, where the elevations below and above weigh the same (`paper`:
   // straight up; evenly weighted, at 30 degrees): turned from receiver to receiver, it sees walls, of which one along
