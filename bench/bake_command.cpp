@@ -214,7 +214,7 @@ Command add_bake_command(CLI::App& program) {
       "bake", "Values of vertices against occlusion all over the faces, at the large radius that suits each scene.");
   app->add_option("scenes", options->scenes, "mesh files or builtin:NAME")->required();
   app->add_option("--rays", options->ray_count, "of a receiver; the truth has 1024")
-      ->check(CLI::IsMember({64, 128, 256, 512, 1024}))
+      ->check(CLI::Range(kMinRayCount, kMaxRayCount))
       ->capture_default_str();
   app->add_option("--smoothness", options->smoothness, "of the least-squares fit")
       ->delimiter(',')

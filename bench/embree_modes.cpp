@@ -119,7 +119,7 @@ constexpr std::size_t kPartSize = 2 * kGroupSize;
 void cast_group(std::span<const ReceiverRays> group, int ray_count, RTCScene scene, RayQuery& query,
                 std::uint64_t* words) {
   const int lane_count = static_cast<int>(group.size());
-  const int word_count = ray_count / 64;
+  const int word_count = word_count_of(ray_count);
   Packet<kGroupSize> packet;
   for (int lane = 0; lane < lane_count; ++lane) packet.place(lane, group[static_cast<std::size_t>(lane)].origin);
   for (int ray = 0; ray < ray_count; ++ray) {

@@ -10,7 +10,7 @@ namespace lkao::bench {
 // In the order of PatternKind.
 inline constexpr PatternKind kPatternKinds[] = {PatternKind::lloyd, PatternKind::paper, PatternKind::fibonacci,
                                                 PatternKind::sobol, PatternKind::random};
-inline constexpr int kStudyRayCounts[] = {64, 128, 256, 512, 1024};
+inline constexpr int kStudyRayCounts[] = {1, 4, 16, 48, 64, 100, 128, 200, 256, 512, 1024};
 inline constexpr Jitter kPlainJitter{.rotation = 1, .tilt = 0};
 
 // The plain one among them.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 
 #include <fmt/format.h>
 
@@ -58,7 +59,9 @@ void print_kinds(const Rows& rows, const std::string& falloff) {
              falloff);
   fmt::print("| pattern |");
   for (int ray_count : kStudyRayCounts) fmt::print(" {} rays |", ray_count);
-  fmt::print("\n|---|---|---|---|---|---|\n");
+  fmt::print("\n|---|");
+  for (std::size_t i = 0; i < std::size(kStudyRayCounts); ++i) fmt::print("---|");
+  fmt::print("\n");
   for (PatternKind kind : kPatternKinds) {
     fmt::print("| {} |", pattern_kind_name(kind));
     for (int ray_count : kStudyRayCounts) {

@@ -133,8 +133,8 @@ class Studies {
 
 void check(const RasterOptions& options) {
   if (!is_valid_ray_count(options.frames.ray_count)) {
-    throw std::invalid_argument(fmt::format("--samples must be a multiple of {} from {} to {}, not {}", kRayCountStep,
-                                            kMinRayCount, kMaxRayCount, options.frames.ray_count));
+    throw std::invalid_argument(
+        fmt::format("--samples must be from {} to {}, not {}", kMinRayCount, kMaxRayCount, options.frames.ray_count));
   }
 }
 

@@ -105,8 +105,8 @@ void remove_repeats(std::vector<Value>& values) {
 void check(RaysOptions& options) {
   for (const int ray_count : options.ray_counts) {
     if (is_valid_ray_count(ray_count)) continue;
-    throw std::invalid_argument(fmt::format("--samples must be multiples of {} from {} to {}, not {}", kRayCountStep,
-                                            kMinRayCount, kMaxRayCount, ray_count));
+    throw std::invalid_argument(
+        fmt::format("--samples must be from {} to {}, not {}", kMinRayCount, kMaxRayCount, ray_count));
   }
   std::sort(options.measure.thread_counts.begin(), options.measure.thread_counts.end());
   remove_repeats(options.measure.thread_counts);

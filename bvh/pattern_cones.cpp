@@ -10,10 +10,11 @@ namespace lkao::bvh {
 
 PatternCones make_pattern_cones(std::span<const glm::vec3> directions) {
   PatternCones cones;
-  const std::size_t count = directions.size() / PatternCones::kRaysPerCone;
+  constexpr std::size_t kRaysPerCone = PatternCones::kRaysPerCone;
+  const std::size_t count = (directions.size() + kRaysPerCone - 1) / kRaysPerCone;
   for (std::size_t i = 0; i < PatternCones::kMaxCount; ++i) {
-    const std::size_t chunk = std::min(i, count - 1);
-    const auto rays = directions.subspan(chunk * PatternCones::kRaysPerCone, PatternCones::kRaysPerCone);
+    const std::size_t first = std::min(i, count - 1) * kRaysPerCone;
+    const auto rays = directions.subspan(first, std::min(kRaysPerCone, directions.size() - first));
     glm::dvec3 axis(0);
     for (const glm::vec3& direction : rays) axis += glm::dvec3(direction);
     axis = axis == glm::dvec3(0) ? glm::dvec3(0, 0, 1) : glm::normalize(axis);

@@ -22,7 +22,7 @@ struct PatternCones {
   float widest_cosine = -1, widest_sine = 1;
 };
 
-// Unit vectors, a multiple of 16 of them.
+// Of unit vectors, one at least; the last cone is of those that are left.
 PatternCones make_pattern_cones(std::span<const glm::vec3> directions);
 
 }  // namespace lkao::bvh

@@ -15,6 +15,7 @@ RayParts make_ray_parts(std::span<const float> lengths, float radius, float r_mi
     parts.begin[i] = exists ? r_min / length : 1.0f;
     parts.end[i] = r_max < length ? r_max / length : 1.0f;
   }
+  for (std::size_t i = lengths.size(); i % 64 != 0; ++i) parts.begin[i] = parts.end[i] = 1.0f;
   return parts;
 }
 

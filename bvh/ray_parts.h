@@ -19,8 +19,9 @@ struct RayParts {
   alignas(64) float end[kMaxRayCount];
 };
 
-// Of rays with these lengths times `radius`. Where one range ends with the r_max that another begins with, their parts
-// meet at the same float. 0 <= r_min < r_max, which may be infinite.
+// Of rays with these lengths times `radius`; up to a whole word of a mask, rays without length follow. Where one range
+// ends with the r_max that another begins with, their parts meet at the same float. 0 <= r_min < r_max, which may be
+// infinite; with an infinite r_min no ray has a part.
 RayParts make_ray_parts(std::span<const float> lengths, float radius, float r_min, float r_max);
 
 }  // namespace lkao::bvh

@@ -89,6 +89,10 @@ class TriangleTest {
   // edge's line, or the triangle as good as a line.
   bool has_edge_direction(int i) const { return is_sure(edges_[i], edge_slacks_[i]); }
   bool has_normal_direction() const { return is_sure(normal_, normal_slack(1)); }
+  // The same for planes in units of a distance less than the radius, of which rounding is a larger share.
+  bool has_normal_direction_at(float distance) const {
+    return norm(normal_) * 1.7321 * static_cast<double>(distance) > 1e6 * normal_slack(1);
+  }
 
  private:
   // `slack` is the error of the vector times the length of a ray.

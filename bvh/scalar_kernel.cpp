@@ -11,7 +11,7 @@ namespace {
 class ScalarKernel {
  public:
   ScalarKernel(const Layout& layout, const Query& query)
-      : layout_(layout), query_(query), word_count_(query.rays.ray_count / 64) {
+      : layout_(layout), query_(query), word_count_(query.rays.word_count()) {
     for (int i = 0; i < query.rays.ray_count; ++i) box_rays_[i] = BoxRay(query.rays.ray(i));
   }
 

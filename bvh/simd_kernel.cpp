@@ -67,7 +67,7 @@ class SimdTraversal {
         receiver_(layout, query),
         rays_(query),
         parts_(query),
-        cones_(cones, query.rays.frame, query.rays.ray_count / kLaneCount, query.near(), query.far()),
+        cones_(cones, query.rays.frame, rays_.chunk_count, query.near(), query.far()),
         stream_(layout, query, receiver_, rays_) {
     if (rays_.chunk_count >= kManyChunks) cones_.prepare();
   }

@@ -14,7 +14,7 @@ class TableKernel {
   TableKernel(const Layout& layout, const Query& query, const PlaneMaskTable& table, NodeMasks node_masks)
       : layout_(layout),
         query_(query),
-        word_count_(query.rays.ray_count / 64),
+        word_count_(query.rays.word_count()),
         lookup_(table, query.rays.frame, query.radius),
         node_masks_(node_masks) {}
 
@@ -38,7 +38,7 @@ class TableKernel {
     const MaskBounds bounds = look_up(test, mask);
     blocked = bounds.must;
     for_each_ray(bounds.may & ~bounds.must, word_count_, [&](int ray) {
-      if (test.blocks(query_.rays.ray(ray))) blocked.set(ray);
+      if (blocks(test, query_, ray)) blocked.set(ray);
     });
     return blocked;
   }
@@ -59,7 +59,18 @@ class TableKernel {
     } else if (lookup_.has_bounds()) {
       bounds.must = OcclusionMask();
     }
+    if (query_.parts != nullptr) drop_beginning_beyond(test, bounds);
     return bounds;
+  }
+
+  // Sec. 4.3. All parts of the rays begin at one distance and end with the rays.
+  void drop_beginning_beyond(const TriangleTest& test, MaskBounds& bounds) const {
+    const float near = query_.parts->near;
+    if (test.has_normal_direction_at(near)) {
+      lookup_.drop_beyond(test.normal(), test.distance(), static_cast<double>(near), bounds);
+    } else if (lookup_.has_bounds()) {
+      bounds.must = OcclusionMask();
+    }
   }
 
   // Sec. 5, Figure 4. Right: the rays within the cone around the sphere. Left: of those, the rays long enough to reach

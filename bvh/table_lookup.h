@@ -53,6 +53,17 @@ class TableLookup {
     keep(may(table_, cell_of(normal, distance)), mask);
   }
 
+  // Takes away rays, of whatever length, that begin beyond the plane: where they begin to count, at the distance `near`
+  // from the origin.
+  void drop_beyond(const glm::dvec3& normal, double distance, double near, MaskBounds& bounds) const {
+    const double length = glm::length(normal), share = distance / (length * near);
+    if (share > 1) return;
+    const PlaneMaskTable& directions = table_.directions();
+    const std::uint32_t cell = directions.cell(to_pattern_ * (normal / length), static_cast<float>(share));
+    drop(may(directions, cell), bounds.must);
+    drop(must(directions, cell), bounds.may);
+  }
+
   // Rays, of whatever length, whose angle to the axis has at least this cosine.
   void keep_towards(const glm::dvec3& axis, double cosine, OcclusionMask& mask) const {
     const PlaneMaskTable& directions = table_.directions();
@@ -74,6 +85,10 @@ class TableLookup {
   }
   void keep(const std::uint64_t* words, OcclusionMask& mask) const {
     for (int i = 0; i < word_count_; ++i) mask.words[i] &= words[i];
+  }
+
+  void drop(const std::uint64_t* words, OcclusionMask& mask) const {
+    for (int i = 0; i < word_count_; ++i) mask.words[i] &= ~words[i];
   }
 
   const PlaneMaskTable& table_;

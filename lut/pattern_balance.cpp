@@ -1,11 +1,12 @@
 #include "lut/pattern_balance.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 
 #include "lut/disk_relaxation.h"
+#include "lut/lane_sums.h"
+#include "lut/pattern_points.h"
 #include "lut/random.h"
 
 namespace lkao::lut {
@@ -21,10 +22,6 @@ constexpr std::uint64_t kTradeReach = 10;
 // level near the horizon, where floors meet walls.
 constexpr double kHeightScale = 2.0;
 
-// Sums are taken in so many lanes: in the same order with every compiler, at the speed of vectors.
-constexpr std::size_t kLaneCount = 8;
-using Lanes = std::array<float, kLaneCount>;
-
 float sum(const Lanes& lanes) {
   return ((lanes[0] + lanes[4]) + (lanes[2] + lanes[6])) + ((lanes[1] + lanes[5]) + (lanes[3] + lanes[7]));
 }
@@ -33,10 +30,11 @@ struct Place {
   float x, y, z;
 };
 
-// Points in the order of their radii, which are fixed: point k lies on circle k, sqrt((k + 1/2) / count) wide.
+// Points in the order of their radii, which are fixed: point k lies on circle k, sqrt((k + 1/2) / count) wide on the
+// disk; here, where the weighting puts it on the hemisphere.
 class Balance {
  public:
-  explicit Balance(const std::vector<glm::dvec2>& points);
+  Balance(const std::vector<glm::dvec2>& points, Weighting weighting);
 
   void turn_all();
   void trade_all(RandomStream& random);
@@ -55,28 +53,29 @@ class Balance {
   float spacing_;
 };
 
-Balance::Balance(const std::vector<glm::dvec2>& points)
+Balance::Balance(const std::vector<glm::dvec2>& points, Weighting weighting)
     : spacing_(static_cast<float>(std::sqrt(std::numbers::pi / static_cast<double>(points.size())))) {
   for (std::size_t k = 0; k < points.size(); ++k) {
     const double area = (static_cast<double>(k) + 0.5) / static_cast<double>(points.size());
-    x_.push_back(static_cast<float>(points[k].x));
-    y_.push_back(static_cast<float>(points[k].y));
-    z_.push_back(static_cast<float>(kHeightScale * std::sqrt(1.0 - area)));
-    radii_.push_back(static_cast<float>(std::sqrt(area)));
+    const bool is_uniform = weighting == Weighting::uniform;
+    const glm::dvec2 place = is_uniform ? to_uniform(points[k]) : points[k];
+    const double height = is_uniform ? 1.0 - area : std::sqrt(1.0 - area);
+    x_.push_back(static_cast<float>(place.x));
+    y_.push_back(static_cast<float>(place.y));
+    z_.push_back(static_cast<float>(kHeightScale * height));
+    radii_.push_back(static_cast<float>(is_uniform ? std::sqrt(1.0 - height * height) : std::sqrt(area)));
   }
 }
 
 // What the other points do to point i: the gradient of its distances to them on the disk.
 glm::vec2 Balance::pull_on(std::size_t i) const {
   Lanes pull_x{}, pull_y{};
-  for (std::size_t j = 0; j < count(); j += kLaneCount) {
-    for (std::size_t lane = 0; lane < kLaneCount; ++lane) {
-      const float dx = x_[i] - x_[j + lane], dy = y_[i] - y_[j + lane], dz = z_[i] - z_[j + lane];
-      const float inverse = 1.0f / std::sqrt(dx * dx + dy * dy + dz * dz + 1e-12f);
-      pull_x[lane] += dx * inverse;
-      pull_y[lane] += dy * inverse;
-    }
-  }
+  for_each_in_lanes(count(), [&](std::size_t j, std::size_t lane) {
+    const float dx = x_[i] - x_[j], dy = y_[i] - y_[j], dz = z_[i] - z_[j];
+    const float inverse = 1.0f / std::sqrt(dx * dx + dy * dy + dz * dz + 1e-12f);
+    pull_x[lane] += dx * inverse;
+    pull_y[lane] += dy * inverse;
+  });
   return {sum(pull_x), sum(pull_y)};
 }
 
@@ -108,13 +107,11 @@ float Balance::distance(const Place& a, const Place& b) const {
 float Balance::gain_of_trade(std::size_t i, std::size_t k, const Place& new_i, const Place& new_k) const {
   const Place old_i{x_[i], y_[i], z_[i]}, old_k{x_[k], y_[k], z_[k]};
   Lanes gains{};
-  for (std::size_t j = 0; j < count(); j += kLaneCount) {
-    for (std::size_t lane = 0; lane < kLaneCount; ++lane) {
-      const Place other{x_[j + lane], y_[j + lane], z_[j + lane]};
-      gains[lane] +=
-          (distance(new_i, other) - distance(old_i, other)) + (distance(new_k, other) - distance(old_k, other));
-    }
-  }
+  for_each_in_lanes(count(), [&](std::size_t j, std::size_t lane) {
+    const Place other{x_[j], y_[j], z_[j]};
+    gains[lane] +=
+        (distance(new_i, other) - distance(old_i, other)) + (distance(new_k, other) - distance(old_k, other));
+  });
   // The two themselves were among the others.
   const float with_old =
       distance(new_i, old_i) + distance(new_i, old_k) + distance(new_k, old_i) + distance(new_k, old_k);
@@ -139,9 +136,9 @@ std::vector<glm::dvec2> Balance::points() const {
 
 }  // namespace
 
-void balance(std::vector<glm::dvec2>& points, std::uint64_t seed) {
+void balance(std::vector<glm::dvec2>& points, std::uint64_t seed, Weighting weighting) {
   restore_equal_areas(points);
-  Balance state(points);
+  Balance state(points, weighting);
   RandomStream random(seed);
   for (int round = 0; round < kRoundCount; ++round) {
     for (int turn = 0; turn < kTurnsPerRound; ++turn) state.turn_all();
@@ -149,7 +146,7 @@ void balance(std::vector<glm::dvec2>& points, std::uint64_t seed) {
   }
   for (int turn = 0; turn < kTurnsPerRound; ++turn) state.turn_all();
   points = state.points();
-  restore_equal_areas(points);  // from float rounding
+  restore_equal_areas(points);  // from float rounding, and from the hemisphere
 }
 
 }  // namespace lkao::lut

@@ -1,13 +1,13 @@
 #include "lut/pattern_lengths.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numeric>
 
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
+#include "lut/lane_sums.h"
 #include "lut/pattern_points.h"
 #include "lut/random.h"
 
@@ -21,16 +21,18 @@ constexpr float kElevationWeight = 2.0f;
 // Points that stand for the whole hemisphere.
 constexpr int kBackgroundCount = 1024;
 
-// As in pattern_balance.cpp: the same order of additions everywhere, at the speed of vectors.
-constexpr std::size_t kLaneCount = 8;
+struct Direction {
+  glm::vec3 unit;
+  float share_below;  // of all directions, those lower than this one
 
-glm::vec3 lift(const glm::vec2& point) {
-  return {point.x, point.y, std::sqrt(std::max(0.0f, 1.0f - glm::dot(point, point)))};
-}
+  Direction(const glm::vec2& point, Weighting weighting)
+      : unit(point, std::sqrt(std::max(0.0f, 1.0f - glm::dot(point, point)))),
+        share_below(weighting == Weighting::uniform ? unit.z : unit.z * unit.z) {}
+};
 
 // How alike the occlusion of two directions is, but for a constant: less the farther they are apart.
-float likeness(const glm::vec3& a, const glm::vec3& b) {
-  return -glm::distance(a, b) - kElevationWeight * std::abs(a.z * a.z - b.z * b.z);
+float likeness(const Direction& a, const Direction& b) {
+  return -glm::distance(a.unit, b.unit) - kElevationWeight * std::abs(a.share_below - b.share_below);
 }
 
 // A way to deal, and its error: over all regions of directions and all shares u <= v, the mean squared difference of
@@ -39,7 +41,7 @@ float likeness(const glm::vec3& a, const glm::vec3& b) {
 // where the second sum is the same against all directions and shares there are.
 class Deal {
  public:
-  explicit Deal(std::span<const glm::vec2> points);
+  Deal(std::span<const glm::vec2> points, Weighting weighting);
 
   void shuffle(RandomStream& random);
   // Lets each point trade its share with others where the error falls.
@@ -56,14 +58,16 @@ class Deal {
   std::vector<float> shares_;      // in (0, 1)
 };
 
-Deal::Deal(std::span<const glm::vec2> points) {
-  std::vector<glm::vec3> directions, everywhere;
-  for (const glm::vec2& point : points) directions.push_back(lift(point));
-  for (const glm::dvec2& point : spiral_points(kBackgroundCount, 0)) everywhere.push_back(lift(point));
-  for (const glm::vec3& a : directions) {
-    for (const glm::vec3& b : directions) likeness_.push_back(likeness(a, b));
+Deal::Deal(std::span<const glm::vec2> points, Weighting weighting) {
+  std::vector<Direction> directions, everywhere;
+  for (const glm::vec2& point : points) directions.emplace_back(point, weighting);
+  for (const glm::dvec2& point : spiral_points(kBackgroundCount, 0)) {
+    everywhere.emplace_back(weighting == Weighting::uniform ? to_uniform(point) : point, weighting);
+  }
+  for (const Direction& a : directions) {
+    for (const Direction& b : directions) likeness_.push_back(likeness(a, b));
     double total = 0;
-    for (const glm::vec3& b : everywhere) total += static_cast<double>(likeness(a, b));
+    for (const Direction& b : everywhere) total += static_cast<double>(likeness(a, b));
     background_.push_back(static_cast<float>(total / kBackgroundCount * static_cast<double>(points.size())));
   }
   for (std::size_t k = 0; k < points.size(); ++k) {
@@ -80,13 +84,10 @@ float Deal::change_by_trade(std::size_t i, std::size_t k) const {
   const float u_i = shares_[i], u_k = shares_[k];
   const float* row_i = row(i);
   const float* row_k = row(k);
-  std::array<float, kLaneCount> lanes{};
-  for (std::size_t j = 0; j < count(); j += kLaneCount) {
-    for (std::size_t lane = 0; lane < kLaneCount; ++lane) {
-      const float u = shares_[j + lane];
-      lanes[lane] += (row_i[j + lane] - row_k[j + lane]) * (std::max(u_i, u) - std::max(u_k, u));
-    }
-  }
+  Lanes lanes{};
+  for_each_in_lanes(count(), [&](std::size_t j, std::size_t lane) {
+    lanes[lane] += (row_i[j] - row_k[j]) * (std::max(u_i, shares_[j]) - std::max(u_k, shares_[j]));
+  });
   const float with_all = std::accumulate(lanes.begin(), lanes.end(), 0.0f);
   // What the two do to each other stays.
   const float with_each_other = row_i[k] * std::abs(u_i - u_k);
@@ -110,8 +111,8 @@ std::vector<int> Deal::shares() const {
 
 }  // namespace
 
-std::vector<int> deal_shares(std::span<const glm::vec2> points) {
-  Deal deal(points);
+std::vector<int> deal_shares(std::span<const glm::vec2> points, Weighting weighting) {
+  Deal deal(points, weighting);
   RandomStream random(0);
   deal.shuffle(random);
   for (int sweep = 0; sweep < kSweepCount; ++sweep) deal.trade_all(random);

@@ -31,23 +31,23 @@ std::vector<glm::dvec2> paper_points(int point_count, RandomStream random) {
 // Differs from the paper: it starts from a spiral, whose large-scale density is even, not from random points, which
 // relaxation leaves uneven; it scatters less; after each step it puts back what centroids, which lie inside their
 // cells, pull away from the horizon; and in the end it balances half-spaces.
-std::vector<glm::dvec2> balanced_points(int point_count, RandomStream random) {
+std::vector<glm::dvec2> balanced_points(int point_count, RandomStream random, Weighting weighting) {
   std::vector<glm::dvec2> points = spiral_points(point_count, random.next_bits());
   scatter(points, kScatterShare, random.next_bits());
   for (int step = 0; step < kSecondStepCount; ++step) {
     relax(points, 1);
     restore_equal_areas(points);
   }
-  balance(points, random.next_bits());
+  balance(points, random.next_bits(), weighting);
   return points;
 }
 
 }  // namespace
 
-std::vector<glm::dvec2> pattern_points(PatternKind kind, int point_count, std::uint64_t seed) {
+std::vector<glm::dvec2> pattern_points(PatternKind kind, int point_count, std::uint64_t seed, Weighting weighting) {
   switch (kind) {
     case PatternKind::lloyd:
-      return balanced_points(point_count, RandomStream(seed));
+      return balanced_points(point_count, RandomStream(seed), weighting);
     case PatternKind::paper:
       return paper_points(point_count, RandomStream(seed));
     case PatternKind::fibonacci:

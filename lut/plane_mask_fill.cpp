@@ -41,7 +41,8 @@ void fill(const RayEnds& ends, const glm::vec3& axis, std::uint64_t* const (&wor
         packed[i] |= std::uint64_t{bits_of(tag, masks[i])} << bit;
       }
     }
-    for (int i = 0; i < kMasks; ++i) words[i][word] = packed[i];
+    const std::uint64_t rays = word + 1 < ends.word_count ? ~std::uint64_t{0} : ends.last_word;
+    for (int i = 0; i < kMasks; ++i) words[i][word] = packed[i] & rays;
   }
 }
 

@@ -10,8 +10,9 @@ namespace lkao::lut {
 
 // Ends of the rays of a pattern, component by component, and their distances from the origin.
 struct RayEnds {
-  std::vector<float> x, y, z, length;
+  std::vector<float> x, y, z, length;  // up to whole words of a mask
   int word_count = 0;
+  std::uint64_t last_word = ~std::uint64_t{0};  // the bits of it that belong to rays
 };
 
 // Rays beyond the plane in the middle of the cell: axis . P >= distance.

@@ -26,6 +26,9 @@ lut::RayEnds ends_of(const SamplePattern& pattern) {
     ends.z.push_back(end.z);
     ends.length.push_back(glm::length(end));
   }
+  const auto padded_count = static_cast<std::size_t>(ends.word_count) * 64;
+  ends.last_word = ~std::uint64_t{0} >> (padded_count - ends.x.size());
+  for (std::vector<float>* component : {&ends.x, &ends.y, &ends.z, &ends.length}) component->resize(padded_count);
   return ends;
 }
 

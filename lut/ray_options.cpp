@@ -17,6 +17,9 @@ void check(const RayOptions& options) {
           "in [0, pi/2] radians", options.jitter.tilt);
   require(std::isfinite(options.surface_offset) && options.surface_offset >= 0, "surface_offset",
           "finite and at least 0", options.surface_offset);
+  require(
+      options.min_distance >= 0 && options.min_distance <= kLargestCoordinate && options.min_distance < options.radius,
+      "min_distance", "at least 0, less than the radius and at most 1e18", options.min_distance);
 }
 
 void check(const RayOptions& options, const PlaneMaskTable& table) {

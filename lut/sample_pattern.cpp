@@ -15,6 +15,7 @@
 
 #include "lut/hilbert.h"
 #include "lut/pattern_lengths.h"
+#include "lut/pattern_points.h"
 #include "lut/pattern_recipes.h"
 
 namespace lkao {
@@ -23,10 +24,11 @@ struct SamplePattern::Directions {
   std::vector<glm::vec2> disk;
   std::vector<glm::vec3> directions;
   float lowest_elevation = 0;
+  Weighting weighting = Weighting::cosine;
 
   // The share of each ray, found when first asked for, from any thread.
   const std::vector<int>& shares() const {
-    std::call_once(once_, [this] { shares_ = lut::deal_shares(disk); });
+    std::call_once(once_, [this] { shares_ = lut::deal_shares(disk, weighting); });
     return shares_;
   }
 
@@ -43,14 +45,19 @@ constexpr std::pair<PatternKind, std::string_view> kKindNames[] = {{PatternKind:
                                                                    {PatternKind::sobol, "sobol"},
                                                                    {PatternKind::random, "random"}};
 
-void require_valid_ray_count(std::size_t ray_count) {
-  if (ray_count > kMaxRayCount || !is_valid_ray_count(static_cast<int>(ray_count))) {
-    throw std::invalid_argument(fmt::format("ray count must be a multiple of {} from {} to {}, not {}", kRayCountStep,
-                                            kMinRayCount, kMaxRayCount, ray_count));
+void require_valid_ray_count(std::int64_t ray_count) {
+  if (ray_count < kMinRayCount || ray_count > kMaxRayCount) {
+    throw std::invalid_argument(
+        fmt::format("ray count must be from {} to {}, not {}", kMinRayCount, kMaxRayCount, ray_count));
   }
 }
 
-// Cosine-weighted: points spread evenly over the disk, lifted to the hemisphere (Laine & Karras 2010, Sec. 6).
+void require_known(Weighting weighting) {
+  if (weighting == Weighting::cosine || weighting == Weighting::uniform) return;
+  throw std::invalid_argument(fmt::format("weighting {} does not exist", static_cast<int>(weighting)));
+}
+
+// Points spread evenly over the disk become cosine-weighted directions (Laine & Karras 2010, Sec. 6).
 glm::vec3 lift(const glm::vec2& point) {
   const double x = point.x, y = point.y;
   return {point.x, point.y, static_cast<float>(std::sqrt(1.0 - x * x - y * y))};
@@ -91,39 +98,48 @@ const char* pattern_kind_name(PatternKind kind) {
   throw std::invalid_argument(fmt::format("pattern kind {} does not exist", static_cast<int>(kind)));
 }
 
-bool is_valid_ray_count(int ray_count) {
-  return ray_count >= kMinRayCount && ray_count <= kMaxRayCount && ray_count % kRayCountStep == 0;
-}
-
 SamplePattern::SamplePattern(std::shared_ptr<const Directions> directions, std::vector<float> lengths)
     : directions_(std::move(directions)), lengths_(std::make_shared<const std::vector<float>>(std::move(lengths))) {}
 
-SamplePattern SamplePattern::make(PatternKind kind, int ray_count, const Falloff& falloff, std::uint64_t seed) {
-  require_valid_ray_count(ray_count < 0 ? 0 : static_cast<std::size_t>(ray_count));
+SamplePattern SamplePattern::make(PatternKind kind, int ray_count, const Falloff& falloff, std::uint64_t seed,
+                                  Weighting weighting) {
+  require_valid_ray_count(ray_count);
+  require_known(weighting);
   std::vector<glm::vec2> points;
-  const std::vector<glm::dvec2> spread = lut::pattern_points(kind, ray_count, seed);
+  const std::vector<glm::dvec2> spread = lut::pattern_points(kind, ray_count, seed, weighting);
   std::transform(spread.begin(), spread.end(), std::back_inserter(points), inside_disk);
   std::sort(points.begin(), points.end(),
             [](const glm::vec2& a, const glm::vec2& b) { return lut::hilbert_index(a) < lut::hilbert_index(b); });
-  return from_disk(points, std::vector<float>(points.size(), 1.0f)).with_falloff(falloff);
+  if (weighting == Weighting::uniform) {
+    for (glm::vec2& point : points) point = inside_disk(lut::to_uniform(point));
+  }
+  return from_points(points, std::vector<float>(points.size(), 1.0f), weighting).with_falloff(falloff);
 }
 
-SamplePattern SamplePattern::relaxed(int ray_count, const Falloff& falloff, std::uint64_t seed) {
-  return make(PatternKind::lloyd, ray_count, falloff, seed);
+SamplePattern SamplePattern::relaxed(int ray_count, const Falloff& falloff, std::uint64_t seed, Weighting weighting) {
+  return make(PatternKind::lloyd, ray_count, falloff, seed, weighting);
 }
 
-const SamplePattern& SamplePattern::standard(int ray_count) {
-  constexpr std::size_t kPatternCount = kMaxRayCount / kRayCountStep;
-  static std::array<std::once_flag, kPatternCount> made;
-  static std::array<std::optional<SamplePattern>, kPatternCount> patterns;
-  require_valid_ray_count(ray_count < 0 ? 0 : static_cast<std::size_t>(ray_count));
-  const std::size_t slot = static_cast<std::size_t>(ray_count / kRayCountStep - 1);
-  std::call_once(made[slot], [&] { patterns[slot] = relaxed(ray_count); });
-  return *patterns[slot];
+const SamplePattern& SamplePattern::standard(int ray_count, Weighting weighting) {
+  struct Kept {
+    std::once_flag once;
+    std::optional<SamplePattern> pattern;
+  };
+  static std::array<Kept, kMaxRayCount + 1> cosine, uniform;
+  require_valid_ray_count(ray_count);
+  require_known(weighting);
+  Kept& kept = (weighting == Weighting::cosine ? cosine : uniform)[static_cast<std::size_t>(ray_count)];
+  std::call_once(kept.once, [&] { kept.pattern = relaxed(ray_count, Falloff::constant(), 0, weighting); });
+  return *kept.pattern;
 }
 
 SamplePattern SamplePattern::from_disk(std::span<const glm::vec2> points, std::span<const float> lengths) {
-  require_valid_ray_count(points.size());
+  return from_points(points, lengths, Weighting::cosine);
+}
+
+SamplePattern SamplePattern::from_points(std::span<const glm::vec2> points, std::span<const float> lengths,
+                                         Weighting weighting) {
+  require_valid_ray_count(static_cast<std::int64_t>(points.size()));
   if (lengths.size() != points.size()) {
     throw std::invalid_argument(fmt::format("{} points but {} lengths", points.size(), lengths.size()));
   }
@@ -143,6 +159,7 @@ SamplePattern SamplePattern::from_disk(std::span<const glm::vec2> points, std::s
   }
   directions->disk.assign(points.begin(), points.end());
   directions->lowest_elevation = std::asin(lowest);
+  directions->weighting = weighting;
   return {std::move(directions), std::vector<float>(lengths.begin(), lengths.end())};
 }
 

@@ -24,12 +24,14 @@ inline constexpr int kMaxChunkCount = kMaxRayCount / kLaneCount;
 class RaySet {
  public:
   explicit RaySet(const Query& query)
-      : x(query.rays.x), y(query.rays.y), z(query.rays.z), chunk_count(query.rays.ray_count / kLaneCount) {
-    const ReceiverRays& rays = query.rays;
+      : x(query.rays.x),
+        y(query.rays.y),
+        z(query.rays.z),
+        chunk_count((query.rays.ray_count + kLaneCount - 1) / kLaneCount) {
     std::memcpy(open, query.open.words, sizeof(open));
-    invert(rays.x, rays.ray_count, inverse_x);
-    invert(rays.y, rays.ray_count, inverse_y);
-    invert(rays.z, rays.ray_count, inverse_z);
+    invert(x, chunk_count * kLaneCount, inverse_x);
+    invert(y, chunk_count * kLaneCount, inverse_y);
+    invert(z, chunk_count * kLaneCount, inverse_z);
   }
 
   OcclusionMask open_mask() const {
@@ -52,7 +54,7 @@ class RaySet {
       return hn::TableLookupLanes(hn::Load(tag, table + first), hn::IndicesFromVec(tag, place));
     };
     auto word = look_up(0);
-    for (int first = kTableSize; first < chunk_count / 2; first += kTableSize) {
+    for (int first = kTableSize; 2 * first < chunk_count; first += kTableSize) {
       const auto is_there = hn::RebindMask(tag, hn::Gt(word_number, hn::Set(number_tag, first - 1)));
       word = hn::IfThenElse(is_there, look_up(first), word);
     }

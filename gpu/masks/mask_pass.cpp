@@ -55,7 +55,7 @@ void MaskPass::draw(const Occluders& occluders, const GBuffer& g_buffer, const C
   state.is_drawn = false;
   state.make_images(g_buffer.width, g_buffer.height);
   state.wait_for_last_frame();
-  if (mesh.has_ranges()) state.table->add_directions();
+  if (mesh.has_ranges() || options.min_distance > 0) state.table->add_directions();
   state.describe(mesh, g_buffer, camera, options, raster);
   state.bind_inputs(g_buffer);
   state.classify_occluders(mesh);

@@ -96,6 +96,7 @@ void MaskPass::State::describe(const MeshBuffers& mesh, const GBuffer& g_buffer,
   shapes_block.is_two_sided = options.sidedness == Sidedness::two_sided;
   shapes_block.has_ranges = mesh.has_ranges();
   shapes_block.billboard_threshold = raster.billboard_threshold;
+  shapes_block.min_distance = options.min_distance;
   shapes_block.relative_surface_offset = lut::relative_surface_offset(options);
 
   block = {};

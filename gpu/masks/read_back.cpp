@@ -29,7 +29,7 @@ std::vector<std::uint64_t> MaskPass::read_masks() {
   state_->require_drawn();
   const StateKeeper keeper(kReadUse, state_->setup.keep_state);
   const MaskImages& images = state_->images;
-  const auto words = static_cast<std::size_t>(state_->table->ray_count() / 64);
+  const auto words = static_cast<std::size_t>(state_->table->table().pattern().word_count());
   std::vector<std::uint64_t> masks;
   for (std::size_t k = 0; k < static_cast<std::size_t>(images.layer_count()); ++k) {
     const auto texels =
@@ -37,7 +37,7 @@ std::vector<std::uint64_t> MaskPass::read_masks() {
     masks.resize(texels.size() * words);
     for (std::size_t i = 0; i < texels.size(); ++i) {
       masks[i * words + 2 * k] = word_of(texels[i].x, texels[i].y);
-      // The last layer may hold 64 rays only.
+      // The last layer may hold 64 rays or fewer.
       if (2 * k + 1 < words) masks[i * words + 2 * k + 1] = word_of(texels[i].z, texels[i].w);
     }
   }

@@ -1,6 +1,7 @@
 // Looking planes up in the plane mask table: bvh/table_lookup.h of the CPU. LKAO_LAYERS is the number of 128-bit parts
 // of a mask. Of each cell there is either the mask of the plane in its middle, or (LKAO_MUST_MAY) first the rays beyond
 // all of its planes, then those beyond some.
+#include "gpu/masks/mask_pass_block.h"
 #include "gpu/masks/units.h"
 
 layout(binding = LKAO_UNIT_TABLE) uniform usamplerBuffer table;
@@ -12,13 +13,20 @@ struct Masks {
 #endif
 };
 
+// Bits of the 32 rays from `first` on, as many of them as there are.
+uint bits_from(int first) {
+  int count = pass.ray_count - first;
+  return count >= 32 ? 0xffffffffu : (1u << max(count, 0)) - 1u;
+}
+
+// All rays.
 void fill(inout Masks masks) {
-  for (int k = 0; k < LKAO_LAYERS; ++k) {
-    masks.must[k] = uvec4(0xffffffffu);
+  const int last = LKAO_LAYERS - 1, first = 128 * last;
+  for (int k = 0; k < last; ++k) masks.must[k] = uvec4(0xffffffffu);
+  masks.must[last] = uvec4(bits_from(first), bits_from(first + 32), bits_from(first + 64), bits_from(first + 96));
 #if LKAO_MUST_MAY
-    masks.may[k] = uvec4(0xffffffffu);
+  masks.may = masks.must;
 #endif
-  }
 }
 
 // Takes away the rays that are not beyond a plane of the cell.

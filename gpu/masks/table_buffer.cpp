@@ -79,7 +79,7 @@ void TableBuffer::upload_pattern(const SamplePattern& pattern) {
   for (std::size_t i = 0; i < pattern.directions().size(); ++i) {
     rays.emplace_back(pattern.directions()[i], pattern.lengths()[i]);
   }
-  // Up to whole layers, with rays of no length, which nothing blocks: a mask in doubt has bits for them too.
+  // Up to whole layers: no shader need ask how many there are.
   rays.resize(static_cast<std::size_t>(layer_count()) * 128, glm::vec4(0));
   pattern_ = make_buffer(static_cast<GLsizeiptr>(rays.size() * sizeof(glm::vec4)), rays.data(), 0);
   pattern_texture_ = make_buffer_texture(GL_RGBA32F, pattern_);

@@ -66,7 +66,7 @@ void main() {
   }
 
   vec2 range = range_of(triangle);
-  if (range.x >= ao_radius()) return;  // no ray is that long
+  if (range.x >= range.y) return;  // it counts nowhere, or no ray is that long
   vec3 center = sphere_center(a, b, c, area);
   float size = max(distance(center, a), max(distance(center, b), distance(center, c)));
   float reach = size + range.y, center_depth = distance_along_view(center);

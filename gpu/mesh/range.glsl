@@ -5,9 +5,9 @@
 
 layout(binding = LKAO_UNIT_RANGES) uniform samplerBuffer ranges;
 
-// r_min and r_max, no more than the AO radius.
+// r_min, no less than where rays begin to count, and r_max, no more than the AO radius. Empty where r_min is not less.
 vec2 range_of(uint triangle) {
-  if (shapes.has_ranges == 0) return vec2(0.0, ao_radius());
+  if (shapes.has_ranges == 0) return vec2(shapes.min_distance, ao_radius());
   vec2 range = texelFetch(ranges, int(triangle)).xy;
-  return vec2(range.x, min(range.y, ao_radius()));
+  return vec2(max(range.x, shapes.min_distance), min(range.y, ao_radius()));
 }

@@ -9,6 +9,7 @@ mat4 clip_from_world;           // its z is made for depth_at(), see depth.glsl
 float radius;                   // the AO radius; for an infinite one see extent.glsl
 float billboard_threshold;      // alpha
 float relative_surface_offset;  // of the largest coordinate
+float min_distance;             // where rays begin to count
 float depth_scale, depth_far;   // see depth.glsl
 int is_two_sided;
 int has_ranges;

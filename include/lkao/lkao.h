@@ -33,3 +33,4 @@
 #include "lkao/requirements.h"
 #include "lkao/sample_pattern.h"
 #include "lkao/version.h"
+#include "lkao/weighting.h"

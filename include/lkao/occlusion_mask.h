@@ -11,10 +11,10 @@
 namespace lkao {
 
 // Bit i belongs to ray i of the sample pattern: word i / 64, bit i % 64. Bits past the pattern's ray count
-// are always 0. A plain value of 128 bytes.
+// are always 0 in what the library returns. A plain value of 128 bytes.
 class OcclusionMask {
  public:
-  static constexpr int kMaxWordCount = kMaxRayCount / 64;
+  static constexpr int kMaxWordCount = word_count_of(kMaxRayCount);
 
   bool test(int ray) const { return (words[ray / 64] >> (ray % 64) & 1u) != 0; }
   void set(int ray) { words[ray / 64] |= std::uint64_t{1} << (ray % 64); }
@@ -24,7 +24,7 @@ class OcclusionMask {
   int count() const {
     // Bits of every byte, added up over the words: compilers make vectors of it even where there is no such
     // instruction.
-    static_assert(kMaxRayCount / 64 * 8 < 256);
+    static_assert(kMaxWordCount * 8 < 256);
     std::uint64_t bytes = 0;
     for (std::uint64_t word : words) {
       word -= word >> 1 & 0x5555555555555555u;
@@ -48,6 +48,7 @@ class OcclusionMask {
     for (int i = 0; i < kMaxWordCount; ++i) a.words[i] |= b.words[i];
     return a;
   }
+  // All 1024 bits: combine it with ReceiverRays::cast.
   OcclusionMask operator~() const {
     OcclusionMask inverse;
     for (int i = 0; i < kMaxWordCount; ++i) inverse.words[i] = ~words[i];

@@ -55,6 +55,11 @@ struct RayOptions {
   // geometric normal by surface_offset x 2^-24 x the largest coordinate in play (of the receiver or of the
   // occluders' bounds). >= 0 and finite; 0 where positions are already off the surface.
   float surface_offset = 16.0f;
+  // Where rays begin to count, in the unit of the positions, measured from where they start: ray i is blocked by what
+  // its part from min_distance to its end meets, bit for bit as by one OccluderLevel with that r_min. Rays no longer
+  // than this are cast and are never blocked. At least 0 and less than the radius; 0: rays count from their (open)
+  // start. Costs what a level of detail costs.
+  float min_distance = 0;
 };
 
 }  // namespace lkao

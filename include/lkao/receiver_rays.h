@@ -24,11 +24,13 @@ struct ReceiverRays {
   // Rays above the geometric horizon; the others are not cast. Empty for an invalid receiver.
   OcclusionMask cast;
   int ray_count = 0;
-  // Direction x length of each ray, component by component.
+  // Direction x length of each ray, component by component. Rays without length, which are not cast, follow up to a
+  // whole word of the mask.
   alignas(64) float x[kMaxRayCount];
   alignas(64) float y[kMaxRayCount];
   alignas(64) float z[kMaxRayCount];
 
+  int word_count() const { return word_count_of(ray_count); }
   glm::vec3 ray(int i) const { return {x[i], y[i], z[i]}; }
 };
 

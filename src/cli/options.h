@@ -31,9 +31,11 @@ void add_common_options(CLI::App& app, CommonOptions& options);
 struct OcclusionOptions {
   std::optional<method::Radius> radius;
   int ray_count = 128;
+  Weighting weighting = Weighting::cosine;
   Falloff falloff = Falloff::constant();
   Sidedness sidedness = Sidedness::two_sided;
   std::uint64_t seed = 0;
+  double min_distance = 0;
 
   // `length` is what the radius is in the scene's unit: resolve_radius() tells it.
   method::Question question(double length) const;

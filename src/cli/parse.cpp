@@ -77,13 +77,7 @@ std::uint64_t parse_seed(const std::string& text) {
   return *number;
 }
 
-int parse_ray_count(const std::string& text) {
-  const std::optional<int> number = read_number<int>(text);
-  if (!number || !is_valid_ray_count(*number)) {
-    reject(fmt::format("a multiple of {} from {} to {}", kRayCountStep, kMinRayCount, kMaxRayCount), text);
-  }
-  return *number;
-}
+int parse_ray_count(const std::string& text) { return parse_integer(text, kMinRayCount, kMaxRayCount); }
 
 glm::vec3 parse_vector(const std::string& text) { return glm::vec3(parse_position(text)); }
 

@@ -80,9 +80,11 @@ void add_batch_keys(Json& document, const MethodKind& kind, const Batch& batch) 
 }
 
 void add_setting_keys(Json& document, const OcclusionOptions& options) {
+  document["weighting"] = word_of(method::kWeightingWords, options.weighting);
   document["falloff"] = options.falloff.name();
   document["sided"] = word_of(method::kSidednessWords, options.sidedness);
   document["seed"] = options.seed;
+  document["min_distance"] = options.min_distance;
   document["threads"] = tbb::this_task_arena::max_concurrency();
 }
 

@@ -78,9 +78,9 @@ class MaskComparison {
   std::uint64_t wrong_ray_count_ = 0;
 };
 
-std::size_t part_size(const Method& method, const Method* check, int ray_count, std::size_t receiver_count) {
+std::size_t part_size(const Method& method, const Method* check, std::size_t word_count, std::size_t receiver_count) {
   const bool is_whole = !method.abilities().any_receivers || (check != nullptr && !check->abilities().any_receivers);
-  return is_whole ? std::max<std::size_t>(receiver_count, 1) : kRaysPerPart / static_cast<std::size_t>(ray_count);
+  return is_whole ? std::max<std::size_t>(receiver_count, 1) : kRaysPerPart / (64 * word_count);
 }
 
 // Of `function` of the occlusion of valid receivers; NaN where there is none.
@@ -102,9 +102,10 @@ Batch run_batch(Method& method, int ray_count, std::span<const Receiver> receive
   Runner asked(method, receivers.size(), options.bent_normals);
   std::optional<Runner> other;
   if (options.check != nullptr) other.emplace(*options.check, receivers.size(), false);
-  MaskComparison masks(method, options.check, static_cast<std::size_t>(ray_count) / 64);
+  const auto word_count = static_cast<std::size_t>(word_count_of(ray_count));
+  MaskComparison masks(method, options.check, word_count);
 
-  const std::size_t size = part_size(method, options.check, ray_count, receivers.size());
+  const std::size_t size = part_size(method, options.check, word_count, receivers.size());
   for (std::size_t first = 0; first < receivers.size(); first += size) {
     const Part part{first, std::min(size, receivers.size() - first)};
     masks.begin(part.count);

@@ -12,7 +12,7 @@ bool is_constant(const Falloff& falloff) { return falloff.name() == Falloff::con
 }  // namespace
 
 SamplePattern Question::pattern() const {
-  const SamplePattern& pattern = SamplePattern::standard(ray_count);
+  const SamplePattern& pattern = SamplePattern::standard(ray_count, weighting);
   return is_constant(falloff) ? pattern : pattern.with_falloff(falloff);
 }
 

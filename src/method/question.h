@@ -12,14 +12,20 @@ namespace lkao::method {
 
 inline constexpr Word<Sidedness> kSidednessWords[] = {{"one", Sidedness::one_sided}, {"two", Sidedness::two_sided}};
 
+inline constexpr Word<Weighting> kWeightingWords[] = {{"cosine", Weighting::cosine}, {"uniform", Weighting::uniform}};
+
 struct Question {
   float radius = 0;  // AO radius, > 0; perhaps infinite
   int ray_count = 128;
+  Weighting weighting = Weighting::cosine;
   Falloff falloff = Falloff::constant();
   Sidedness sidedness = Sidedness::two_sided;
   std::uint64_t seed = 0;
+  float min_distance = 0;  // where rays begin to count
 
-  RayOptions ray_options() const { return {.radius = radius, .sidedness = sidedness, .seed = seed}; }
+  RayOptions ray_options() const {
+    return {.radius = radius, .sidedness = sidedness, .seed = seed, .min_distance = min_distance};
+  }
   SamplePattern pattern() const;
   PlaneMaskTable table(PlaneMasks masks) const;
   // Rays beyond everything, of several lengths: shares of infinity that no table holds.

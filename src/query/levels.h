@@ -13,7 +13,7 @@ namespace lkao::query {
 
 struct Level {
   OccluderBvh occluders;
-  float r_min, r_max;  // r_max is infinite where it cuts no ray
+  float r_min, r_max;  // r_max is infinite where it cuts no ray, r_min where the level blocks none
   // Which part of each ray counts, for rays of the query's radius. Absent where whole rays count, and where the radius
   // is infinite: then each receiver has a radius of its own.
   std::optional<bvh::RayParts> parts;
@@ -21,8 +21,9 @@ struct Level {
   bool is_whole() const { return r_min == 0 && r_max == std::numeric_limits<float>::infinity(); }
 };
 
-// For rays with the pattern's lengths times `radius`. Leaves out levels that begin where all rays have ended, but never
-// the first.
-std::vector<Level> make_levels(std::span<const OccluderLevel> levels, const SamplePattern& pattern, float radius);
+// For rays with the pattern's lengths times the radius, which count from options.min_distance on. Leaves out levels
+// that begin where all rays have ended, and those that end where rays begin, but never the first.
+std::vector<Level> make_levels(std::span<const OccluderLevel> levels, const SamplePattern& pattern,
+                               const RayOptions& options);
 
 }  // namespace lkao::query

@@ -89,7 +89,9 @@ OccluderExtent extent_of(std::span<const Level> levels) {
 }
 
 PatternLanes::PatternLanes(const SamplePattern& pattern, bool is_unbounded)
-    : length(pattern.lengths().begin(), pattern.lengths().end()), lowest_elevation(pattern.lowest_elevation()) {
+    : length(pattern.lengths().begin(), pattern.lengths().end()),
+      ray_count(pattern.ray_count()),
+      lowest_elevation(pattern.lowest_elevation()) {
   for (const glm::vec3& direction : pattern.directions()) {
     x.push_back(direction.x);
     y.push_back(direction.y);
@@ -98,6 +100,8 @@ PatternLanes::PatternLanes(const SamplePattern& pattern, bool is_unbounded)
   if (is_unbounded) {
     for (float& share : length) share = share > 0 ? 1.0f : 0.0f;
   }
+  const auto padded_count = static_cast<std::size_t>(pattern.word_count()) * 64;
+  for (std::vector<float>* lanes : {&x, &y, &z, &length}) lanes->resize(padded_count);
 }
 
 Bounds bounds_of(std::span<const Receiver> receivers) {
@@ -131,7 +135,7 @@ float radius_beyond(const Bounds& occluders, const glm::vec3& origin) {
 void make_rays(const Receiver& receiver, const PatternLanes& pattern, const RayOptions& options,
                const OccluderExtent& occluders, std::uint64_t index, ReceiverRays& rays) {
   rays.cast = OcclusionMask();
-  rays.ray_count = static_cast<int>(pattern.x.size());
+  rays.ray_count = pattern.ray_count;
   rays.origin = receiver.position;
   rays.radius = options.radius;
   if (!is_valid(receiver)) return;

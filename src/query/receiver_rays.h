@@ -32,12 +32,14 @@ glm::vec3 geometric_normal(const Receiver& receiver);
 glm::mat3 jittered_frame(const Receiver& receiver, const Jitter& jitter, float lowest_elevation, std::uint64_t seed,
                          std::uint64_t index);
 
-// A sample pattern component by component, so that vectors can be made of it.
+// A sample pattern component by component, so that vectors can be made of it: up to whole words of a mask, with rays
+// that have neither direction nor length, which are never cast.
 struct PatternLanes {
   // `is_unbounded`: every ray that has a length has length 1, whatever share of an infinite radius it is.
   explicit PatternLanes(const SamplePattern& pattern, bool is_unbounded = false);
 
   std::vector<float> x, y, z, length;
+  int ray_count;
   float lowest_elevation;
 };
 

@@ -13,7 +13,7 @@ namespace lkao::query {
 Tracer::Tracer(std::span<const OccluderLevel> levels, const SamplePattern& pattern, const RayOptions& options,
                const AnyKernel& kernel)
     : options_(options),
-      levels_(make_levels(levels, pattern, options.radius)),
+      levels_(make_levels(levels, pattern, options)),
       extent_(extent_of(levels_)),
       lanes_(pattern, std::isinf(options.radius)),
       cones_(bvh::make_pattern_cones(pattern.directions())),
@@ -41,7 +41,7 @@ Tracer::Visit::Visit(const Tracer& tracer) : tracer_(tracer) {
 Tracer::Visit::Visit(const Tracer& tracer, const Bounds& positions) : Visit(tracer) {
   const Bounds origins = bounds_of_origins(positions, tracer.options_, tracer.extent_.largest_coordinate);
   // More entries cost each receiver more tests, which only many rays earn back.
-  const bool is_worth_more = tracer.is_simd() && tracer.lanes_.x.size() >= 256;
+  const bool is_worth_more = tracer.is_simd() && tracer.lanes_.ray_count >= 256;
   const int most_children = is_worth_more ? bvh::EntryNodes::kMostChildren : bvh::kWidth;
   entries_.reserve(tracer.levels_.size());
   for (const Level& level : tracer.levels_) {

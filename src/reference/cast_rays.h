@@ -12,7 +12,7 @@ namespace lkao::reference {
 // segments are open at the receiver: Embree has no say in it.
 template <typename Visit>
 void for_each_cast_ray(const ReceiverRays& rays, const Visit& visit) {
-  bvh::for_each_ray(rays.cast, rays.ray_count / 64, [&](int ray) {
+  bvh::for_each_ray(rays.cast, rays.word_count(), [&](int ray) {
     if (rays.ray(ray) != glm::vec3(0)) visit(ray);
   });
 }

@@ -1,9 +1,13 @@
 #include "reference/embree_reference.h"
 
+#include <cmath>
 #include <new>
+#include <optional>
 
+#include "bvh/ray_parts.h"
 #include "query/answer.h"
 #include "query/batch.h"
+#include "query/receiver_rays.h"
 #include "reference/cast_rays.h"
 #include "reference/embree_scene.h"
 
@@ -20,7 +24,6 @@ class Packet {
       rays_.org_x[lane] = origin.x;
       rays_.org_y[lane] = origin.y;
       rays_.org_z[lane] = origin.z;
-      rays_.tnear[lane] = 0;
       rays_.time[lane] = 0;
       rays_.mask[lane] = ~0u;
       rays_.id[lane] = 0;
@@ -30,8 +33,10 @@ class Packet {
 
   bool full() const { return size_ == kLaneCount; }
 
-  void add(int ray, const glm::vec3& segment) {
+  // The segment counts from the share `begin` of it on.
+  void add(int ray, const glm::vec3& segment, float begin) {
     numbers_[size_] = ray;
+    rays_.tnear[size_] = begin;
     valid_[size_] = -1;
     rays_.dir_x[size_] = segment.x;
     rays_.dir_y[size_] = segment.y;
@@ -58,41 +63,55 @@ class Packet {
   int size_ = 0;
 };
 
-OcclusionMask cast_packets(const ReceiverRays& rays, RTCScene scene, RayQuery& query) {
+// Where rays begin to count, as shares of them.
+struct Beginnings {
+  const bvh::RayParts* parts;  // null: at their origin
+
+  bool exists(int ray) const { return parts == nullptr || parts->existing.test(ray); }
+  float of(int ray) const { return parts == nullptr ? 0 : parts->begin[ray]; }
+};
+
+OcclusionMask cast_packets(const ReceiverRays& rays, const Beginnings& beginnings, RTCScene scene, RayQuery& query) {
   OcclusionMask blocked;
   Packet packet(rays.origin);
   for_each_cast_ray(rays, [&](int ray) {
-    packet.add(ray, rays.ray(ray));
+    if (!beginnings.exists(ray)) return;
+    packet.add(ray, rays.ray(ray), beginnings.of(ray));
     if (packet.full()) packet.cast(scene, query, blocked);
   });
   packet.cast(scene, query, blocked);
   return blocked;
 }
 
-OcclusionMask cast_single_rays(const ReceiverRays& rays, RTCScene scene, RayQuery& query) {
+OcclusionMask cast_single_rays(const ReceiverRays& rays, const Beginnings& beginnings, RTCScene scene,
+                               RayQuery& query) {
   OcclusionMask blocked;
   const glm::vec3& origin = rays.origin;
   for_each_cast_ray(rays, [&](int number) {
+    if (!beginnings.exists(number)) return;
     const glm::vec3 segment = rays.ray(number);
-    RTCRay ray{origin.x, origin.y, origin.z, 0, segment.x, segment.y, segment.z, 0, 1, ~0u, 0, 0};
+    const float begin = beginnings.of(number);
+    RTCRay ray{origin.x, origin.y, origin.z, begin, segment.x, segment.y, segment.z, 0, 1, ~0u, 0, 0};
     find_blocked(scene, query, ray);
     if (ray.tfar < 0) blocked.set(number);
   });
   return blocked;
 }
 
-OcclusionMask cast(const ReceiverRays& rays, RTCScene scene, RayQuery& query, Casting casting) {
-  return casting == Casting::packets ? cast_packets(rays, scene, query) : cast_single_rays(rays, scene, query);
+OcclusionMask cast(const ReceiverRays& rays, const Beginnings& beginnings, RTCScene scene, RayQuery& query,
+                   Casting casting) {
+  return casting == Casting::packets ? cast_packets(rays, beginnings, scene, query)
+                                     : cast_single_rays(rays, beginnings, scene, query);
 }
 
-OcclusionMask find_blocked(const EmbreeScene& scene, const ReceiverRays& rays, std::uint32_t excluded_primitive,
-                           Sidedness sidedness, Casting casting) {
+OcclusionMask find_blocked(const EmbreeScene& scene, const ReceiverRays& rays, const Beginnings& beginnings,
+                           std::uint32_t excluded_primitive, Sidedness sidedness, Casting casting) {
   if (excluded_primitive != kNoPrimitive || sidedness == Sidedness::one_sided) {
     FilteredRays filtered(scene, rays.origin, excluded_primitive, sidedness);
-    return cast(rays, scene.filtered(), filtered.query, casting);
+    return cast(rays, beginnings, scene.filtered(), filtered.query, casting);
   }
   RayQuery query;
-  return cast(rays, scene.plain(), query, casting);
+  return cast(rays, beginnings, scene.plain(), query, casting);
 }
 
 // Fills `rays` with the rays that the receiver casts and finds those that are blocked.
@@ -100,7 +119,14 @@ OcclusionMask trace(const EmbreeScene& scene, Casting casting, const AmbientOccl
                     std::uint64_t index, ReceiverRays& rays) {
   ao.rays(receiver, index, rays);
   if (!rays.cast.any()) return {};
-  return find_blocked(scene, rays, receiver.excluded_primitive, ao.options().sidedness, casting);
+  const RayOptions& options = ao.options();
+  std::optional<bvh::RayParts> parts;
+  if (options.min_distance > 0) {
+    const query::PatternLanes lanes(ao.pattern(), std::isinf(options.radius));
+    parts = bvh::make_ray_parts(lanes.length, rays.radius, options.min_distance, rays.radius);
+  }
+  return find_blocked(scene, rays, {parts ? &*parts : nullptr}, receiver.excluded_primitive, options.sidedness,
+                      casting);
 }
 
 }  // namespace

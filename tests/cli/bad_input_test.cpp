@@ -63,9 +63,16 @@ TEST_F(BadInput, InfiniteRadiusOfRaysOfSeveralLengthsInATable) {
   }
 }
 TEST_F(BadInput, SampleCount) {
-  for (const char* samples : {"0", "100", "1088"}) {
-    expect_rejected(render("builtin:wall", {"--samples", samples}), {"--samples", "multiple of 64"});
+  for (const char* samples : {"0", "-64", "1025", "64.5"}) {
+    expect_rejected(render("builtin:wall", {"--samples", samples}), {"--samples", "from 1 to 1024"});
   }
+}
+TEST_F(BadInput, Weighting) {
+  expect_rejected(render("builtin:wall", {"--weighting", "even"}), {"--weighting", "cosine or uniform", "even"});
+}
+TEST_F(BadInput, MinDistance) {
+  expect_rejected(render("builtin:wall", {"--min-distance", "-1"}), {"--min-distance", "at least 0"});
+  expect_rejected(render("builtin:wall", {"--min-distance", "1e6"}), {"min_distance", "less than the radius"});
 }
 TEST_F(BadInput, Size) {
   for (const char* size : {"0x6", "8x0", "8", "99999x99999"}) {

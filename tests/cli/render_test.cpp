@@ -143,6 +143,36 @@ TEST_F(Render, AgreesWithEmbreeRayByRay) {
   }
 }
 
+TEST_F(Render, TakesAnyNumberOfSamplesOfEitherWeighting) {
+  // Without end on one side, a wall darkens more where what stands low counts for more.
+  double mean = 0;
+  for (const char* weighting : {"cosine", "uniform"}) {
+    for (const char* samples : {"1", "100"}) {
+      expect_success({"render", "builtin:wall", "--size", "32x24", "--radius", "5", "--weighting", weighting,
+                      "--samples", samples, "-o", path("out.exr"), "--reference", "--json", path("out.json")});
+      const nlohmann::json json = read_json("out.json");
+      EXPECT_EQ(json["weighting"], weighting);
+      EXPECT_EQ(std::to_string(json["samples"].get<int>()), samples);
+      EXPECT_EQ(json["rays"].get<int>(), json["receivers"].get<int>() * json["samples"].get<int>());
+      EXPECT_LE(json["reference"]["mismatched_rays"], 1);
+    }
+    EXPECT_GT(read_json("out.json")["occlusion_mean"], mean);
+    mean = read_json("out.json")["occlusion_mean"];
+  }
+}
+
+TEST_F(Render, CountsFromAMinDistanceOn) {
+  expect_success(wall({"-o", path("out.exr"), "--json", path("out.json")}));
+  const nlohmann::json all = read_json("out.json");
+  EXPECT_EQ(all["min_distance"], 0);
+  expect_success(wall({"-o", path("out.exr"), "--min-distance", "0.125", "--reference", "--json", path("out.json")}));
+  const nlohmann::json part = read_json("out.json");
+  EXPECT_EQ(part["min_distance"], 0.125);
+  EXPECT_LE(part["reference"]["ray_mismatch_rate"], 1e-5);
+  EXPECT_GT(part["occlusion_mean"], 0);
+  EXPECT_LT(part["occlusion_mean"], all["occlusion_mean"]);
+}
+
 TEST_F(Render, EitherMethodMayBeTheReference) {
   expect_success(wall({"-o", path("bvh.exr"), "--method", "bvh"}));
   expect_success(wall({"-o", path("embree.exr"), "--method", "embree", "--reference", "--json", path("out.json")}));

@@ -31,7 +31,7 @@ const NamedPattern& kept_pattern(PatternKind kind, int ray_count, const Falloff&
   if (found == patterns.end()) {
     const SamplePattern pattern = SamplePattern::make(kind, ray_count, falloff, 1);
     std::optional<PlaneMaskTable> table;
-    if (ray_count == 64) table.emplace(pattern, PlaneMaskTableOptions{.resolution = 32});
+    if (ray_count == 64 || ray_count % 32 == 1) table.emplace(pattern, PlaneMaskTableOptions{.resolution = 32});
     found = patterns.emplace(name, NamedPattern{pattern, name, table}).first;
   }
   return found->second;
@@ -39,8 +39,7 @@ const NamedPattern& kept_pattern(PatternKind kind, int ray_count, const Falloff&
 
 // Directions that need not be spread at all, and lengths down to 0.
 NamedPattern custom_pattern(ByteSource& bytes) {
-  constexpr int kCounts[] = {64, 128, 192};
-  const int ray_count = bytes.pick(kCounts);
+  const int ray_count = 1 + static_cast<int>(bytes.below(192));
   // Over the hemisphere, or towards a scene that is a dot.
   const float spread = bytes.once_in(3) ? std::pow(10.0f, -5 * bytes.share()) : 1;
   std::vector<glm::vec2> points;
@@ -69,10 +68,10 @@ NamedPattern decode_pattern(ByteSource& bytes) {
   constexpr PatternKind kKinds[] = {PatternKind::lloyd, PatternKind::paper, PatternKind::fibonacci, PatternKind::sobol,
                                     PatternKind::random};
   // Small patterns are cheap and find as much; large ones exercise the last words of a mask.
-  constexpr int kCounts[] = {64, 64, 64, 128, 128, 192, 320, 576, 1024};
+  constexpr int kCounts[] = {64, 64, 64, 128, 128, 192, 320, 577, 1024};
   const std::uint32_t choice = bytes.below(8);
   if (choice == 0) return custom_pattern(bytes);
-  const int ray_count = bytes.pick(kCounts);
+  const int ray_count = bytes.once_in(2) ? 1 + static_cast<int>(bytes.below(140)) : bytes.pick(kCounts);
   const PatternKind kind = bytes.pick(kKinds);
   // Relaxing many points takes a while.
   const bool is_slow = ray_count > 192 && (kind == PatternKind::lloyd || kind == PatternKind::paper);
@@ -126,8 +125,12 @@ class QueryCaseDecoder {
     options.jitter = {.rotation = bytes_.pick(kRotations), .tilt = bytes_.pick(kTilts)};
     options.seed = bytes_.next_byte();
     options.surface_offset = bytes_.pick(kOffsets);
+    if (bytes_.once_in(4)) options.min_distance = decode_min_distance(options.radius);
     return options;
   }
+
+  // Less than the radius, mostly where the soup is.
+  float decode_min_distance(float radius) { return std::min(radius, soup_.placement.scale) * 0.999f * bytes_.share(); }
 
   // The second level knows nothing of primitives that are excluded.
   float decode_level_end(float radius, std::vector<Receiver>& receivers) {

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "query/receiver_rays.h"
 #include "support/brute_force.h"
 
 namespace lkao::tests {
@@ -43,12 +44,12 @@ std::string describe(const QueryCase& c, std::size_t receiver) {
   return fmt::format(
       "  receiver {} of {}: position {}, normal {}, geometric normal {}, excluded primitive {}, index {}\n"
       "  {} triangles, spatial splits {}, pattern {}, radius {:.9g}, {}-sided, jitter {:g} turns {:g} rad, seed {}, "
-      "surface offset {:g}, level end {:.9g}\n",
+      "surface offset {:g}, min distance {:.9g}, level end {:.9g}\n",
       receiver, c.receivers.size(), text(r.position), text(r.normal), text(r.geometric_normal),
       r.excluded_primitive == kNoPrimitive ? "none" : std::to_string(r.excluded_primitive), c.first_index + receiver,
       c.mesh.triangles.size(), c.build.spatial_splits ? "on" : "off", c.pattern_name, o.radius,
       o.sidedness == Sidedness::one_sided ? "one" : "two", o.jitter.rotation, o.jitter.tilt, o.seed, o.surface_offset,
-      c.level_end);
+      o.min_distance, c.level_end);
 }
 
 std::string compare(const QueryCase& c, const std::string& name, const Answers& answers,
@@ -87,7 +88,10 @@ Answers by_brute_force(const QueryCase& c, const AmbientOcclusion& ao, const Ans
   Answers answers = scalar;
   for (std::size_t k = 0; k < c.receivers.size(); ++k) {
     const ReceiverRays rays = ao.rays(c.receivers[k], c.first_index + k);
-    answers[k].mask = brute_force_mask(c.mesh.view(), rays, c.options, c.receivers[k].excluded_primitive);
+    const query::PatternLanes lanes(c.pattern, std::isinf(c.options.radius));
+    const bvh::RayParts parts = bvh::make_ray_parts(lanes.length, rays.radius, c.options.min_distance, rays.radius);
+    answers[k].mask = brute_force_mask(c.mesh.view(), rays, c.options, c.receivers[k].excluded_primitive,
+                                       c.options.min_distance > 0 ? &parts : nullptr);
     // Open at the receiver, a ray without length meets nothing.
     for (int ray = 0; ray < rays.ray_count; ++ray) {
       if (rays.ray(ray) == glm::vec3(0)) answers[k].mask.reset(ray);

@@ -81,6 +81,29 @@ TEST_F(LevelsInThePass, AreTheCpusBitForBitInDouble) {
   }
 }
 
+// Where rays begin to count later, each range begins no earlier; whole rays and those of ranges.
+TEST_F(LevelsInThePass, CountFromAMinDistanceOn) {
+  Levels one;
+  one.add(mesh_, {0, kInfinity});
+  for (const Falloff& falloff : {Falloff::constant(), Falloff::linear()}) {
+    const PlaneMaskTable table(SamplePattern::standard(100).with_falloff(falloff), {.resolution = 48});
+    for (const bool has_ranges : {false, true}) {
+      const Levels levels = has_ranges ? different_levels() : one;
+      PassOnMesh pass = make_pass(levels, table, {.precision = Precision::double_precision});
+      if (!has_ranges) pass.occluders = Occluders(one.mesh.positions, one.mesh.triangles);
+      for (const float min_distance : {0.05f, 0.5f, 0.95f}) {
+        const RayOptions options{.radius = 2.5f, .seed = 5, .min_distance = min_distance};
+        const auto expected = levels.cpu_masks(g_buffer_->receivers(), table.pattern(), options);
+        EXPECT_LE(count_differences(draw(pass, options), expected), 2u) << falloff.name() << ", " << min_distance;
+        EXPECT_GT(count_bits(expected), 1000u);
+      }
+    }
+  }
+  const PlaneMaskTable table(SamplePattern::standard(64), {.resolution = 32});
+  PassOnMesh pass = make_pass(one, table);
+  EXPECT_THROW(draw(pass, {.radius = 1, .min_distance = 1}), std::invalid_argument);
+}
+
 TEST_F(LevelsInThePass, AreTheCpusInFloat) {
   const Levels levels = different_levels();
   const PlaneMaskTable table(SamplePattern::standard(128), {.resolution = 64});

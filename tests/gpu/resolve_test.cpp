@@ -48,7 +48,7 @@ class Resolve : public InFurnishedRoom<kWidth, kHeight> {
 };
 
 TEST_F(Resolve, GivesTheCpusOcclusionInEveryFormat) {
-  for (const int ray_count : {64, 128, 256}) {
+  for (const int ray_count : {64, 100, 128, 256}) {
     const PlaneMaskTable table(SamplePattern::standard(ray_count), {.resolution = 32});
     PassOnMesh pass = make_pass(mesh_, table);
     const RayOptions options{.radius = 1.0f};

@@ -32,7 +32,7 @@ TEST(PatternKind, HasAName) {
   }
   EXPECT_THROW(pattern_kind_name(static_cast<PatternKind>(99)), std::invalid_argument);
   EXPECT_THROW(SamplePattern::make(static_cast<PatternKind>(99), 64), std::invalid_argument);
-  EXPECT_THROW(SamplePattern::make(PatternKind::sobol, 65), std::invalid_argument);
+  EXPECT_THROW(SamplePattern::make(PatternKind::sobol, 1025), std::invalid_argument);
 }
 
 TEST(PatternKind, MakesDirectionsAboveTheHorizonByTheSeedAlone) {

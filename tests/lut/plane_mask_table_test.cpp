@@ -37,6 +37,26 @@ lut::RayEnds ray_ends_of(const std::vector<glm::dvec3>& ends) {
   return rays;
 }
 
+// Rays behind the last, which fill up a word, are beyond no plane: not even those through the receiver.
+TEST(PlaneMaskTable, HasNoBitsBehindTheLastRay) {
+  for (const int count : {1, 63, 65, 100}) {
+    const SamplePattern pattern = SamplePattern::make(PatternKind::sobol, count);
+    const int last = pattern.word_count() - 1;
+    const std::uint64_t behind = ~(~std::uint64_t{0} >> (64 * pattern.word_count() - count));
+    const PlaneMaskTable nearest(pattern, {.resolution = 32, .masks = PlaneMasks::nearest});
+    const PlaneMaskTable bounds(pattern, {.resolution = 32, .masks = PlaneMasks::must_may});
+    int all_count = 0;
+    for (std::uint32_t cell = 0; cell < nearest.cell_count(); ++cell) {
+      if (!nearest.cells().geometry(cell).is_used) continue;
+      ASSERT_EQ(nearest.nearest(cell)[last] & behind, 0u) << count << ", " << cell;
+      ASSERT_EQ(bounds.must(cell)[last] & behind, 0u) << count << ", " << cell;
+      ASSERT_EQ(bounds.may(cell)[last] & behind, 0u) << count << ", " << cell;
+      all_count += nearest.nearest(cell)[last] == ~behind;
+    }
+    EXPECT_GT(all_count, 0) << "the horizon is a plane that all rays are beyond";
+  }
+}
+
 // One cell after another, made so that the bounds of one ray are within rounding of the cell's distances. Every plane
 // of the cone counts here, and 1e-5 more, whether or not the cell fills its cone.
 TEST(FillMustMay, BoundsTheWholeCone) {

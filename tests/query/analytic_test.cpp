@@ -1,5 +1,6 @@
 // Scenes whose occlusion is known in closed form.
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include <gtest/gtest.h>
@@ -14,9 +15,9 @@ using tests::Mesh;
 
 // Mean over many jittered receivers at one place: what is left is bias, not noise.
 double mean_occlusion(const Mesh& mesh, const Receiver& receiver, const RayOptions& options, int ray_count = 128,
-                      const Falloff& falloff = Falloff::constant()) {
-  const AmbientOcclusion ao(OccluderBvh(mesh.view()), SamplePattern::standard(ray_count).with_falloff(falloff),
-                            options);
+                      const Falloff& falloff = Falloff::constant(), Weighting weighting = Weighting::cosine) {
+  const AmbientOcclusion ao(OccluderBvh(mesh.view()),
+                            SamplePattern::standard(ray_count, weighting).with_falloff(falloff), options);
   constexpr int kCount = 500;
   const std::vector<Receiver> receivers(kCount, receiver);
   std::vector<float> occlusion(kCount);
@@ -72,6 +73,32 @@ TEST(Analytic, CoaxialDisk) {
   for (float height : {0.3f, 1.0f, 2.0f}) {
     const double expected = 1.0 / (1.0 + static_cast<double>(height) * height);
     EXPECT_NEAR(mean_occlusion(disk_mesh(1, height), kOrigin, {.radius = 20}, 1024), expected, 1e-3) << height;
+  }
+}
+
+// At the origin itself: no offset that grows with the walls.
+double endless_occlusion(const Mesh& mesh, Weighting weighting) {
+  const RayOptions options{.radius = std::numeric_limits<float>::infinity(), .surface_offset = 0};
+  return mean_occlusion(mesh, kOrigin, options, 1024, Falloff::constant(), weighting);
+}
+
+// The disk's share of the solid angle of the hemisphere.
+TEST(Analytic, CoaxialDiskWhereTheWeightingIsUniform) {
+  for (float height : {0.3f, 1.0f, 2.0f}) {
+    const double h = height;
+    EXPECT_NEAR(endless_occlusion(disk_mesh(1, height), Weighting::uniform), 1 - h / std::sqrt(1 + h * h), 1e-3) << h;
+  }
+}
+
+// A wall without ends, seen up to the slope k: a wedge of the angle atan k of the hemisphere, of pi in all. Its form
+// factor is that of a strip.
+TEST(Analytic, WallUnderEachWeighting) {
+  for (float slope : {0.2f, 1.0f, 5.0f}) {
+    Mesh wall;
+    tests::add_quad(wall, {1, 0, -1e4f}, {0, slope, 0}, {0, 0, 2e4f});
+    const double k = slope;
+    EXPECT_NEAR(endless_occlusion(wall, Weighting::uniform), std::atan(k) / std::numbers::pi, 5e-4) << slope;
+    EXPECT_NEAR(endless_occlusion(wall, Weighting::cosine), 0.5 * (1 - 1 / std::sqrt(1 + k * k)), 5e-4) << slope;
   }
 }
 

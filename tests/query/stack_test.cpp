@@ -49,8 +49,10 @@ TEST(Stack, QueriesNeedNoMoreThanIsSaid) {
   pthread_attr_t attributes;
   ASSERT_EQ(pthread_attr_init(&attributes), 0);
   ASSERT_EQ(pthread_attr_setstacksize(&attributes, kGranted + kOfTheThread), 0);
-  for (const float radius : {0.3f, std::numeric_limits<float>::infinity()}) {
-    const AmbientOcclusion ao(occluders, SamplePattern::standard(1024), {.radius = radius});
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  for (const RayOptions& options : {RayOptions{.radius = 0.3f}, RayOptions{.radius = kInfinity},
+                                    RayOptions{.radius = kInfinity, .min_distance = 0.01f}}) {
+    const AmbientOcclusion ao(occluders, SamplePattern::standard(1024), options);
     Task task{&ao, &receivers};
     pthread_t thread;
     ASSERT_EQ(pthread_create(&thread, &attributes, run, &task), 0);

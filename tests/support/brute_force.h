@@ -3,6 +3,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "bvh/ray_parts.h"
 #include "bvh/ray_triangle.h"
 #include "bvh/usable_triangle.h"
 #include "lkao/ambient_occlusion.h"
@@ -10,9 +11,10 @@
 
 namespace lkao::tests {
 
-// With the library's own triangle test: must equal the query bit for bit.
+// With the library's own triangle test: must equal the query bit for bit. `parts`: what of each ray counts; null: all.
 inline OcclusionMask brute_force_mask(const TriangleMesh& mesh, const ReceiverRays& rays, const RayOptions& options,
-                                      std::uint32_t excluded_primitive = kNoPrimitive) {
+                                      std::uint32_t excluded_primitive = kNoPrimitive,
+                                      const bvh::RayParts* parts = nullptr) {
   OcclusionMask blocked;
   for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
     const glm::uvec3 t = mesh.triangles[i];
@@ -21,7 +23,10 @@ inline OcclusionMask brute_force_mask(const TriangleMesh& mesh, const ReceiverRa
     const bvh::TriangleTest test(a, b, c, rays.origin, rays.radius, options.sidedness);
     if (!test.can_block()) continue;
     for (int ray = 0; ray < rays.ray_count; ++ray) {
-      if (rays.cast.test(ray) && test.blocks(rays.ray(ray))) blocked.set(ray);
+      if (!rays.cast.test(ray) || (parts != nullptr && !parts->existing.test(ray))) continue;
+      const bool is_blocked = parts == nullptr ? test.blocks(rays.ray(ray))
+                                               : test.blocks(rays.ray(ray), parts->begin[ray], parts->end[ray]);
+      if (is_blocked) blocked.set(ray);
     }
   }
   return blocked;

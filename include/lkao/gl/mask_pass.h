@@ -117,8 +117,8 @@ class LKAO_API MaskPass {
   void set_table(const PlaneMaskTable& table);
 
   // Finds the masks. Needs a table. The receiver of pixel (x, y) casts the rays that the CPU's query casts for it with
-  // these options and the index y * width + x. The first frame whose occluders have ranges copies more of the table,
-  // where its rays are of several lengths.
+  // these options and the index y * width + x. The first frame whose occluders have ranges, or with a min_distance,
+  // copies more of the table, where its rays are of several lengths.
   //
   // With an infinite radius the pass finds on the GPU, in every frame, a power of two beyond the largest distance
   // between the bounds of occluders and pixels, and less than four times that. Every shape covers all receivers, so
