@@ -118,10 +118,9 @@ TEST_P(SamplePatternOfCount, HasExactHeightsWhereTheWeightingIsUniform) {
 TEST(SamplePattern, HasTheMeanHeightOfItsWeighting) {
   for (const PatternKind kind : {PatternKind::lloyd, PatternKind::fibonacci, PatternKind::sobol, PatternKind::random}) {
     for (const auto& [weighting, mean] : {std::pair(Weighting::cosine, 2.0 / 3), std::pair(Weighting::uniform, 0.5)}) {
+      const SamplePattern pattern = SamplePattern::make(kind, 1000, Falloff::constant(), 1, weighting);
       double sum = 0;
-      for (const glm::vec3& d : SamplePattern::make(kind, 1000, Falloff::constant(), 1, weighting).directions()) {
-        sum += static_cast<double>(d.z);
-      }
+      for (const glm::vec3& d : pattern.directions()) sum += static_cast<double>(d.z);
       EXPECT_NEAR(sum / 1000, mean, kind == PatternKind::random ? 0.03 : 1e-3) << pattern_kind_name(kind);
     }
   }

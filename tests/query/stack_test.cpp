@@ -49,9 +49,9 @@ TEST(Stack, QueriesNeedNoMoreThanIsSaid) {
   pthread_attr_t attributes;
   ASSERT_EQ(pthread_attr_init(&attributes), 0);
   ASSERT_EQ(pthread_attr_setstacksize(&attributes, kGranted + kOfTheThread), 0);
-  constexpr float kInfinity = std::numeric_limits<float>::infinity();
-  for (const RayOptions& options : {RayOptions{.radius = 0.3f}, RayOptions{.radius = kInfinity},
-                                    RayOptions{.radius = kInfinity, .min_distance = 0.01f}}) {
+  constexpr float kEndless = std::numeric_limits<float>::infinity();
+  for (const RayOptions& options : {RayOptions{.radius = 0.3f}, RayOptions{.radius = kEndless},
+                                    RayOptions{.radius = kEndless, .min_distance = 0.01f}}) {
     const AmbientOcclusion ao(occluders, SamplePattern::standard(1024), options);
     Task task{&ao, &receivers};
     pthread_t thread;
