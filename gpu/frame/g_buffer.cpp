@@ -3,6 +3,7 @@
 #include <epoxy/gl.h>
 #include <fmt/format.h>
 
+#include <numbers>
 #include <stdexcept>
 
 #include "gpu/frame/limits.h"
@@ -38,6 +39,25 @@ void validate(const GBuffer& g_buffer) {
   if (g_buffer.geometric_normals != 0) require("geometric_normals", g_buffer.geometric_normals, 3);
 }
 
+namespace {
+
+ObjectName geometric_normals_of(const GBuffer& g_buffer) {
+  return g_buffer.geometric_normals != 0 ? g_buffer.geometric_normals : g_buffer.normals;
+}
+
+void describe_errors(const GBuffer& g_buffer, ViewBlock& view) {
+  const ObjectName place = g_buffer.depth + g_buffer.linear_depth + g_buffer.positions;
+  const Steps steps = steps_of(place), normal_steps = steps_of(geometric_normals_of(g_buffer));
+  view.place_step = steps.fixed;
+  view.place_ulp = steps.relative;
+  // Of three components, half a step each; of a unit vector whichever way they are stored.
+  const bool is_unsigned = is_unorm(geometric_normals_of(g_buffer));
+  view.normal_error =
+      std::numbers::sqrt3_v<float> * ((is_unsigned ? 2.0f : 1.0f) * normal_steps.fixed + normal_steps.relative);
+}
+
+}  // namespace
+
 ViewBlock make_view_block(const GBuffer& g_buffer, const Camera& camera) {
   ViewBlock view = make_view_block(camera, g_buffer.width, g_buffer.height);
   view.place = g_buffer.depth != 0          ? LKAO_PLACE_DEPTH
@@ -49,6 +69,7 @@ ViewBlock make_view_block(const GBuffer& g_buffer, const Camera& camera) {
     view.has_geometric_normals = 1;
     view.has_unorm_geometric_normals = is_unorm(g_buffer.geometric_normals);
   }
+  describe_errors(g_buffer, view);
   return view;
 }
 

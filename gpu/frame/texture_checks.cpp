@@ -1,5 +1,6 @@
 #include "gpu/frame/texture_checks.h"
 
+#include <cmath>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -55,6 +56,17 @@ void require_format(const char* name, ObjectName texture, const char* known, std
 
 GLenum format_of(ObjectName texture) {
   return static_cast<GLenum>(level_parameter(texture, GL_TEXTURE_INTERNAL_FORMAT));
+}
+
+Steps steps_of(ObjectName texture) {
+  const bool is_depth = level_parameter(texture, GL_TEXTURE_DEPTH_TYPE) != GL_NONE;
+  const GLint type = level_parameter(texture, is_depth ? GL_TEXTURE_DEPTH_TYPE : GL_TEXTURE_RED_TYPE);
+  const GLint bits = level_parameter(texture, is_depth ? GL_TEXTURE_DEPTH_SIZE : GL_TEXTURE_RED_SIZE);
+  if (type == GL_UNSIGNED_NORMALIZED) return {1 / (std::ldexp(1.0f, bits) - 1), 0};
+  if (type == GL_SIGNED_NORMALIZED) return {1 / (std::ldexp(1.0f, bits - 1) - 1), 0};
+  // Floats; of fewer bits the smallest are all as far from each other.
+  if (bits >= 32) return {0, 0x1p-23f};
+  return {0x1p-24f, 0x1p-10f};
 }
 
 bool is_unorm(ObjectName texture) { return level_parameter(texture, GL_TEXTURE_RED_TYPE) == GL_UNSIGNED_NORMALIZED; }

@@ -22,6 +22,13 @@ void require_format(const char* name, ObjectName texture, const char* known, std
 // The internal format of level 0.
 GLenum format_of(ObjectName texture);
 
+// From one value that the red (or depth) component can have to the next: always, and as a share of the power of two
+// below it.
+struct Steps {
+  float fixed = 0, relative = 0;
+};
+Steps steps_of(ObjectName texture);
+
 // Unsigned and normalised, so that shaders see 0 to 1.
 bool is_unorm(ObjectName texture);
 

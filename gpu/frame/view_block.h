@@ -16,6 +16,8 @@ mat4 view_from_world;
 mat4 world_from_normals;  // turns the G-buffer's normals; 3 x 3 of it
 vec4 view_depth;          // (x, y, z) . position + w = distance along the view
 vec4 eye;                 // perspective: the eye; orthographic: the direction of view
+// What position_error.glsl knows, and the other numbers of its kind below.
+vec4 clip_depth_size, clip_w_size;  // |rows 2 and 3| of the matrix from world to clip space
 int width, height;
 int place;  // LKAO_PLACE_*
 int is_perspective;
@@ -27,6 +29,11 @@ int has_geometric_normals;
 int has_unorm_geometric_normals;
 float
     pixel_size;  // world units that a pixel is wide (at distance 1 from a perspective camera), the larger of both axes
+float pixel_step;                 // how far, in the same units, rasterisers move corners
+float depth_offset, depth_slope;  // clip-space depth = offset + slope x the distance (perspective: / the distance)
+float longest_ray;                // at distance 1 along the view, of all pixels
+float place_step, place_ulp;  // from one value of the place texture to the next: always; as a share of its power of 2
+float normal_error;           // of the normals' directions by their format, in radians
 LKAO_BLOCK_END(view)
 
 #endif

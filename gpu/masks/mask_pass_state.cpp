@@ -97,6 +97,7 @@ void MaskPass::State::describe(const MeshBuffers& mesh, const GBuffer& g_buffer,
   shapes_block.has_ranges = mesh.has_ranges();
   shapes_block.billboard_threshold = raster.billboard_threshold;
   shapes_block.relative_surface_offset = lut::relative_surface_offset(options);
+  shapes_block.is_offset_automatic = lut::has_automatic_offset(options);
 
   block = {};
   table->describe(block);

@@ -34,11 +34,13 @@ constexpr const char* kFragmentShader = R"(#version 450 core
   layout(location = 0) out vec4 position_out;
   layout(location = 1) out vec4 normal_out;
   layout(location = 2) out float linear_depth_out;
+  layout(location = 3) out float face_out;
   void main() {
     vec3 seen_along = eye.w == 0.0 ? eye.xyz : place - eye.xyz;
     position_out = vec4(place, 1);
     normal_out = vec4(dot(seen_along, normal) > 0.0 ? -normal : normal, 0);
     linear_depth_out = -(view * vec4(place, 1)).z;
+    face_out = float(gl_PrimitiveID + 1);
   })";
 
 ProgramObject make_g_buffer_program() {
@@ -81,20 +83,22 @@ std::vector<glm::vec4> read_image(GLuint texture, int width, int height) {
   return pixels;
 }
 
-GBufferPass::GBufferPass(const Mesh& mesh, const Camera& camera, int width, int height)
+GBufferPass::GBufferPass(const Mesh& mesh, const Camera& camera, int width, int height, const GBufferFormats& formats)
     : width_(width),
       height_(height),
-      depth_(make_image(GL_DEPTH_COMPONENT32F, width, height)),
-      linear_depth_(make_image(GL_R32F, width, height)),
-      positions_(make_image(GL_RGBA32F, width, height)),
-      normals_(make_image(GL_RGBA32F, width, height)) {
+      depth_(make_image(formats.depth, width, height)),
+      linear_depth_(make_image(formats.linear_depth, width, height)),
+      positions_(make_image(formats.positions, width, height)),
+      normals_(make_image(formats.normals, width, height)),
+      faces_(make_image(GL_R32F, width, height)) {
   const Framebuffer framebuffer = make_framebuffer();
   glNamedFramebufferTexture(framebuffer.name(), GL_DEPTH_ATTACHMENT, depth_.name(), 0);
   glNamedFramebufferTexture(framebuffer.name(), GL_COLOR_ATTACHMENT0, positions_.name(), 0);
   glNamedFramebufferTexture(framebuffer.name(), GL_COLOR_ATTACHMENT1, normals_.name(), 0);
   glNamedFramebufferTexture(framebuffer.name(), GL_COLOR_ATTACHMENT2, linear_depth_.name(), 0);
-  const GLenum attachments[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1, GL_COLOR_ATTACHMENT2};
-  glNamedFramebufferDrawBuffers(framebuffer.name(), 3, attachments);
+  glNamedFramebufferTexture(framebuffer.name(), GL_COLOR_ATTACHMENT3, faces_.name(), 0);
+  const GLenum attachments[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1, GL_COLOR_ATTACHMENT2, GL_COLOR_ATTACHMENT3};
+  glNamedFramebufferDrawBuffers(framebuffer.name(), 4, attachments);
   const Buffer positions = make_buffer(static_cast<GLsizeiptr>(mesh.positions.size() * 12), mesh.positions.data(), 0);
   const Buffer triangles = make_buffer(static_cast<GLsizeiptr>(mesh.triangles.size() * 12), mesh.triangles.data(), 0);
   const ProgramObject program = make_g_buffer_program();
@@ -103,7 +107,7 @@ GBufferPass::GBufferPass(const Mesh& mesh, const Camera& camera, int width, int 
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.name());
   glViewport(0, 0, width, height);
   const float zeros[4] = {0, 0, 0, 0}, far = is_reversed(camera) ? 0.0f : 1.0f;
-  for (int i = 0; i < 3; ++i) glClearBufferfv(GL_COLOR, i, zeros);
+  for (int i = 0; i < 4; ++i) glClearBufferfv(GL_COLOR, i, zeros);
   glClearBufferfv(GL_DEPTH, 0, &far);
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(is_reversed(camera) ? GL_GREATER : GL_LESS);
@@ -145,6 +149,35 @@ std::vector<Receiver> GBufferPass::receivers() const {
     receivers[i].normal = normals[i];
   }
   return receivers;
+}
+
+std::vector<int> GBufferPass::faces() const {
+  std::vector<int> faces;
+  for (const glm::vec4& pixel : read_image(faces_.name(), width_, height_)) {
+    faces.push_back(static_cast<int>(pixel.x) - 1);
+  }
+  return faces;
+}
+
+std::vector<Receiver> GBufferPass::exact_receivers(const Mesh& mesh) const {
+  std::vector<Receiver> exact = receivers();
+  const std::vector<int> shown = faces();
+  for (std::size_t i = 0; i < exact.size(); ++i) {
+    if (shown[i] < 0) continue;
+    Receiver& receiver = exact[i];
+    const FacePlane plane(mesh, shown[i], receiver.normal);
+    receiver.normal = plane.normal;
+    receiver.position = glm::dvec3(receiver.position) - plane.height_of(receiver.position) * plane.normal;
+  }
+  return exact;
+}
+
+FacePlane::FacePlane(const Mesh& mesh, int face, const glm::vec3& towards) {
+  const glm::uvec3 t = mesh.triangles[static_cast<std::size_t>(face)];
+  const glm::dvec3 a(mesh.positions[t.x]), b(mesh.positions[t.y]), c(mesh.positions[t.z]);
+  corner = a;
+  normal = glm::normalize(glm::cross(b - a, c - a));
+  if (glm::dot(normal, glm::dvec3(towards)) < 0) normal = -normal;
 }
 
 }  // namespace lkao::gl::tests

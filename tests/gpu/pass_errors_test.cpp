@@ -96,7 +96,7 @@ TEST_F(PassErrors, NameTheOptionOutOfRange) {
                               {"radius", {.radius = -std::numeric_limits<float>::infinity()}},
                               {"rotation", {.radius = 1.0f, .jitter = {.rotation = 1.5f}}},
                               {"tilt", {.radius = 1.0f, .jitter = {.tilt = nan}}},
-                              {"surface_offset", {.radius = 1.0f, .surface_offset = -1.0f}},
+                              {"surface_offset", {.radius = 1.0f, .surface_offset = -2.0f}},
                               {"billboard_threshold", {.radius = 1.0f}, {.billboard_threshold = nan}}};
   for (const Mistake& bad : mistakes) {
     expect_error<std::invalid_argument>(bad.name, [&] { pass.draw(g_buffer(), camera, bad.options, bad.raster); });

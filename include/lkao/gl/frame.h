@@ -29,6 +29,12 @@ enum class NormalSpace { world, view };
 // The caller's textures, each GL_TEXTURE_2D of width x height; only read. Exactly one of the first three says where a
 // pixel's receiver is. A pixel has no receiver where its depth is the far end of the depth range, its position is not
 // finite, or its normal is zero or not finite.
+//
+// Any format of floats or normalised numbers will do: with an automatic surface offset (RayOptions::surface_offset)
+// receivers start as far off their surfaces as the format, the projection and the rasteriser may have moved them.
+// Standard depth of 24 bits is off by distance^2 / near x 2^-24; reversed floats, linear depth and positions of 32-bit
+// floats by next to nothing; half floats by 1/1024 of the distance or coordinate. What is nearer than that to another
+// surface may be dark.
 struct GBuffer {
   int width = 0;
   int height = 0;
