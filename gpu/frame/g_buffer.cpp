@@ -63,6 +63,7 @@ ViewBlock make_view_block(const GBuffer& g_buffer, const Camera& camera) {
   view.place = g_buffer.depth != 0          ? LKAO_PLACE_DEPTH
                : g_buffer.linear_depth != 0 ? LKAO_PLACE_LINEAR_DEPTH
                                             : LKAO_PLACE_POSITION;
+  view.has_view_space_positions = g_buffer.position_space == PositionSpace::view;
   view.has_unorm_normals = is_unorm(g_buffer.normals);
   view.has_view_space_normals = g_buffer.normal_space == NormalSpace::view;
   if (g_buffer.geometric_normals != 0) {

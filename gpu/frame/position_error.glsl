@@ -43,9 +43,21 @@ float distance_error(float along_view, vec4 size) {
   return share < 0.5 ? along_view * share / (1.0 - share) : along_view;
 }
 
+// What goes into positions in view space, too.
+float with_eye(float largest) {
+  vec3 move = abs(view.view_from_world[3].xyz);
+  return view.has_view_space_positions != 0 ? max(largest, max(move.x, max(move.y, move.z))) : largest;
+}
+
 // Along the unit vector `normal`, in world space. `largest` is the largest coordinate in play.
 float error_along(vec3 normal, vec3 position, float largest) {
-  if (view.place == LKAO_PLACE_POSITION) return dot(abs(normal), texel_error(position)) + kPositionRounding * largest;
+  if (view.place == LKAO_PLACE_POSITION) {
+    // Components are rounded in the space that they are in.
+    bool is_in_view = view.has_view_space_positions != 0;
+    vec3 axis = is_in_view ? mat3(view.view_from_world) * normal : normal;
+    vec3 stored = is_in_view ? (view.view_from_world * vec4(position, 1.0)).xyz : position;
+    return dot(abs(axis), texel_error(stored)) + kPositionRounding * with_eye(largest);
+  }
   float along_view = distance_along_view(position);
   vec3 ray = is_perspective() ? (position - view.eye.xyz) / along_view : view.eye.xyz;
   float forward = dot(normal, view.view_depth.xyz), lean = view.normal_error + kLean;
@@ -57,7 +69,10 @@ float error_along(vec3 normal, vec3 position, float largest) {
 
 // At least error_along() of all positions up to this distance along the view.
 float largest_error(float along_view, float largest) {
-  if (view.place == LKAO_PLACE_POSITION) return 1.7320508 * texel_error(largest) + kPositionRounding * largest;
+  if (view.place == LKAO_PLACE_POSITION) {
+    float stored = view.has_view_space_positions != 0 ? abs(along_view) * view.longest_ray + with_eye(largest) : largest;
+    return 1.7320508 * texel_error(stored) + kPositionRounding * with_eye(largest);
+  }
   float lean = 1.0 + view.normal_error + kLean, beside = view.pixel_step * (is_perspective() ? along_view : 1.0);
   return lean * (distance_error(along_view, vec4(vec3(largest), 1)) * view.longest_ray + beside);
 }

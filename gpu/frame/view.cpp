@@ -97,6 +97,8 @@ ViewBlock make_view_block(const Camera& camera, int width, int height) {
 
   ViewBlock block{};
   block.world_from_clip = glm::inverse(clip_from_world(camera));
+  block.world_from_view = world_from_view;
+  block.clip_from_view = camera.projection;
   block.view_from_clip = glm::inverse(glm::dmat4(camera.projection));
   block.view_from_world = camera.view;
   // The inverse of a rotation: its rows.

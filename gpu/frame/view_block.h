@@ -11,6 +11,8 @@
 
 LKAO_BLOCK_BEGIN(ViewBlock, LKAO_BLOCK_VIEW)
 dmat4 world_from_clip;
+dmat4 world_from_view;
+mat4 clip_from_view;
 mat4 view_from_clip;
 mat4 view_from_world;
 mat4 world_from_normals;  // turns the G-buffer's normals; 3 x 3 of it
@@ -23,6 +25,7 @@ int place;  // LKAO_PLACE_*
 int is_perspective;
 int is_zero_to_one;  // of depth in clip space
 int is_reversed;     // depth falls with the distance
+int has_view_space_positions;
 int has_unorm_normals;
 int has_view_space_normals;
 int has_geometric_normals;

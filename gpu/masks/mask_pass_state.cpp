@@ -115,6 +115,12 @@ void MaskPass::State::bind_inputs(const GBuffer& g_buffer) const {
   unbounded_radius.begin();
 }
 
+void MaskPass::State::check_inputs(const GBuffer& g_buffer, const RayOptions& options) {
+  if (!setup.check_g_buffer) return;
+  check.look_at(g_buffer);
+  warnings = check.remarks(options);
+}
+
 void MaskPass::State::bind_blocks() const {
   view_buffer.set_and_bind(view);
   shapes_buffer.set_and_bind(shapes_block);

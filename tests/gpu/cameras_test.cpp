@@ -94,11 +94,13 @@ TEST_F(Cameras, OfAllKindsGiveTheCpusMasks) {
     const auto receivers = GBufferPass(mesh, camera, kWidth, kHeight).receivers();
     for (const bool is_fine : {true, false}) {
       const GBufferPass g_buffer(mesh, camera, kWidth, kHeight, is_fine ? fine : coarse);
-      for (const GBuffer& textures : {g_buffer.by_positions(), g_buffer.by_depth(), g_buffer.by_linear_depth()}) {
+      for (const GBuffer& textures :
+           {g_buffer.by_positions(), g_buffer.by_view_positions(), g_buffer.by_depth(), g_buffer.by_linear_depth()}) {
         SCOPED_TRACE(name + (is_fine ? "" : ", coarse") +
-                     (textures.depth != 0          ? ", by depth"
-                      : textures.linear_depth != 0 ? ", by linear depth"
-                                                   : ", by positions"));
+                     (textures.depth != 0                              ? ", by depth"
+                      : textures.linear_depth != 0                     ? ", by linear depth"
+                      : textures.position_space == PositionSpace::view ? ", by view positions"
+                                                                       : ", by positions"));
         for (const bool two_sided : {true, false}) {
           const RayOptions options{.radius = 0.7f, .sidedness = sidedness_of(two_sided)};
           pass.draw_off_surface(textures, camera, options);

@@ -33,6 +33,7 @@ class GBufferPass {
 
   // With one texture each to tell positions.
   GBuffer by_positions() const;
+  GBuffer by_view_positions() const;
   GBuffer by_depth() const;
   GBuffer by_linear_depth() const;
 
@@ -49,7 +50,7 @@ class GBufferPass {
 
  private:
   int width_, height_;
-  Texture depth_, linear_depth_, positions_, normals_, faces_;
+  Texture depth_, linear_depth_, positions_, view_positions_, normals_, faces_;
 };
 
 // A texture of the given format, with pixels of RGBA floats, filters as OpenGL has them by default.

@@ -22,7 +22,7 @@ constexpr int kWidth = 320;
 constexpr int kHeight = 240;
 constexpr float kAspect = static_cast<float>(kWidth) / kHeight;
 
-enum class Place { depth, linear_depth, positions };
+enum class Place { depth, linear_depth, positions, view_positions };
 
 struct Kind {
   std::string name;
@@ -62,6 +62,8 @@ std::vector<Kind> kinds_from(const std::string& from, const glm::mat4& view, flo
   kinds.push_back({from + "linear R16F", Place::linear_depth, {.linear_depth = GL_R16F}, standard, true, 0.04});
   kinds.push_back({from + "positions RGBA32F", Place::positions, {.positions = GL_RGBA32F}, standard});
   kinds.push_back({from + "positions RGBA16F", Place::positions, {.positions = GL_RGBA16F}, standard, true});
+  kinds.push_back({from + "view positions RGBA32F", Place::view_positions, {.positions = GL_RGBA32F}, standard});
+  kinds.push_back({from + "view positions RGBA16F", Place::view_positions, {.positions = GL_RGBA16F}, standard, true});
   return kinds;
 }
 
@@ -76,9 +78,16 @@ std::vector<Kind> all_kinds() {
 }
 
 GBuffer textures_of(const GBufferPass& pass, Place place) {
-  return place == Place::depth          ? pass.by_depth()
-         : place == Place::linear_depth ? pass.by_linear_depth()
-                                        : pass.by_positions();
+  switch (place) {
+    case Place::depth:
+      return pass.by_depth();
+    case Place::linear_depth:
+      return pass.by_linear_depth();
+    case Place::positions:
+      return pass.by_positions();
+    default:
+      return pass.by_view_positions();
+  }
 }
 
 class SurfaceOffset : public OnSoftware {};

@@ -23,7 +23,8 @@ struct Camera {
   ClipDepth clip_depth = ClipDepth::minus_one_to_one;
 };
 
-// Which space normals are in.
+// Which space positions and normals are in: that of Camera::view, before or after it.
+enum class PositionSpace { world, view };
 enum class NormalSpace { world, view };
 
 // The caller's textures, each GL_TEXTURE_2D of width x height; only read. Exactly one of the first three says where a
@@ -40,7 +41,8 @@ struct GBuffer {
   int height = 0;
   ObjectName depth = 0;  // window-space depth of a depth range of 0 to 1: a depth texture, or its copy in a colour one
   ObjectName linear_depth = 0;  // red: distance along the camera's view direction
-  ObjectName positions = 0;     // world space; must lie at their pixels' centres as the camera sees them
+  ObjectName positions = 0;     // must lie at their pixels' centres as the camera sees them
+  PositionSpace position_space = PositionSpace::world;
   // Shading normals of any length. Unsigned normalised formats are taken for n / 2 + 1/2.
   ObjectName normals = 0;
   // The side of the surface that a receiver lies on (Receiver::geometric_normal); 0: the same as `normals`.

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include <glm/mat3x3.hpp>
@@ -62,6 +63,10 @@ struct MaskPassSetup {
   // frame) and leaves the state that it touches as it needs it: for engines that set all state before each pass of
   // their own.
   bool keep_state = true;
+  // Look at 256 pixels of the first frame, and of the first after a change of which textures a G-buffer has, of their
+  // formats or spaces: positions that are not at their pixels are a wrong argument, and warnings() are found. Waits
+  // for the GPU in such a frame; the others cost a comparison.
+  bool check_g_buffer = true;
 };
 
 // Of the last draw().
@@ -135,6 +140,10 @@ class MaskPass {
   // The masks themselves: a GL_TEXTURE_2D_ARRAY of GL_RGBA32UI, 128 rays a layer (ray i: layer i / 128, component
   // i / 32 % 4, bit i % 32). The pass's own; valid until the next draw().
   ObjectName masks_texture() const;
+
+  // Remarks on the last draw()'s G-buffer: what will do, but not well, such as positions of half floats. A line each;
+  // none without MaskPassSetup::check_g_buffer.
+  std::vector<std::string> warnings() const;
 
   // What is used, after the driver's check.
   GeometryBackEnd geometry() const;
