@@ -56,11 +56,21 @@ bool find_position(ivec2 pixel, out vec3 position) {
 
 bool is_position_in_range(vec3 position) { return all(lessThanEqual(abs(position), vec3(LKAO_LARGEST_COORDINATE))); }
 
+// Cigolle et al. 2014, listing 2; not of unit length.
+vec3 from_octahedron(vec2 place) {
+  vec3 n = vec3(place, 1.0 - abs(place.x) - abs(place.y));
+  if (n.z < 0.0) n.xy = (1.0 - abs(n.yx)) * vec2(n.x < 0.0 ? -1.0 : 1.0, n.y < 0.0 ? -1.0 : 1.0);
+  return n;
+}
+
 // As the texture has it; zero where it is no direction.
 vec3 decode_normal(vec4 texel, int is_unorm) {
   // Written so that a NaN fails.
   if (!(all(lessThanEqual(abs(texel.xyz), vec3(3.4028234e38))))) return vec3(0);
-  return is_unorm != 0 ? 2.0 * texel.xyz - 1.0 : texel.xyz;
+  vec3 n = is_unorm != 0 ? 2.0 * texel.xyz - 1.0 : texel.xyz;
+  if (view.normal_encoding == LKAO_NORMALS_OCTAHEDRAL) return from_octahedron(n.xy);
+  if (view.normal_encoding == LKAO_NORMALS_XY) return vec3(n.xy, sqrt(max(1.0 - dot(n.xy, n.xy), 0.0)));
+  return n;
 }
 
 #if LKAO_DOUBLE

@@ -70,7 +70,8 @@ float error_along(vec3 normal, vec3 position, float largest) {
 // At least error_along() of all positions up to this distance along the view.
 float largest_error(float along_view, float largest) {
   if (view.place == LKAO_PLACE_POSITION) {
-    float stored = view.has_view_space_positions != 0 ? abs(along_view) * view.longest_ray + with_eye(largest) : largest;
+    bool is_in_view = view.has_view_space_positions != 0;
+    float stored = is_in_view ? abs(along_view) * view.longest_ray + with_eye(largest) : largest;
     return 1.7320508 * texel_error(stored) + kPositionRounding * with_eye(largest);
   }
   float lean = 1.0 + view.normal_error + kLean, beside = view.pixel_step * (is_perspective() ? along_view : 1.0);

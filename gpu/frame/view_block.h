@@ -9,6 +9,11 @@
 #define LKAO_PLACE_LINEAR_DEPTH 1
 #define LKAO_PLACE_POSITION 2
 
+// NormalEncoding.
+#define LKAO_NORMALS_XYZ 0
+#define LKAO_NORMALS_OCTAHEDRAL 1
+#define LKAO_NORMALS_XY 2
+
 LKAO_BLOCK_BEGIN(ViewBlock, LKAO_BLOCK_VIEW)
 dmat4 world_from_clip;
 dmat4 world_from_view;
@@ -26,6 +31,7 @@ int is_perspective;
 int is_zero_to_one;  // of depth in clip space
 int is_reversed;     // depth falls with the distance
 int has_view_space_positions;
+int normal_encoding;  // LKAO_NORMALS_*
 int has_unorm_normals;
 int has_view_space_normals;
 int has_geometric_normals;

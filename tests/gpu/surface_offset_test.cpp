@@ -63,7 +63,8 @@ std::vector<Kind> kinds_from(const std::string& from, const glm::mat4& view, flo
   kinds.push_back({from + "positions RGBA32F", Place::positions, {.positions = GL_RGBA32F}, standard});
   kinds.push_back({from + "positions RGBA16F", Place::positions, {.positions = GL_RGBA16F}, standard, true});
   kinds.push_back({from + "view positions RGBA32F", Place::view_positions, {.positions = GL_RGBA32F}, standard});
-  kinds.push_back({from + "view positions RGBA16F", Place::view_positions, {.positions = GL_RGBA16F}, standard, true});
+  kinds.push_back(
+      {from + "view positions RGBA16F", Place::view_positions, {.positions = GL_RGBA16F}, standard, true, 0.04});
   return kinds;
 }
 
@@ -153,7 +154,7 @@ TEST_F(SurfaceOffset, KeepsContact) {
     }
     const double share = off_count / static_cast<double>(masks.size()), mean = sum / static_cast<double>(masks.size());
     RecordProperty(kind.name, fmt::format("{:.3f} % off, mean error {:.2f}/255", 100 * share, 255 * mean));
-    EXPECT_GT(count_bits(expected), 5 * masks.size());
+    EXPECT_GT(count_bits(expected), 3 * masks.size());
     EXPECT_LT(share, kind.is_coarse ? 2e-3 : 1e-4);
     EXPECT_LT(mean, (kind.is_coarse ? 2.0 : 0.1) / 255);
   }
