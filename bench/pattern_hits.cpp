@@ -8,6 +8,8 @@
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 
+#include "lut/ray_options.h"
+
 namespace lkao::bench {
 namespace {
 
@@ -27,7 +29,7 @@ float largest_coordinate(const scene::Mesh& mesh) {
 FirstHits::FirstHits(const scene::Mesh& mesh, float radius)
     : scene_(mesh.view(), true),
       radius_(radius),
-      surface_offset_(RayOptions{}.surface_offset * 0x1p-24f * largest_coordinate(mesh)) {}
+      surface_offset_(lut::relative_surface_offset({}) * largest_coordinate(mesh)) {}
 
 void FirstHits::find(const Receiver& receiver, const glm::mat3& frame, std::span<const glm::vec3> directions,
                      std::span<float> distances) const {

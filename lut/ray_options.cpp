@@ -15,8 +15,8 @@ void check(const RayOptions& options) {
           options.jitter.rotation);
   require(options.jitter.tilt >= 0 && options.jitter.tilt <= 0.5f * std::numbers::pi_v<float>, "jitter.tilt",
           "in [0, pi/2] radians", options.jitter.tilt);
-  require(std::isfinite(options.surface_offset) && options.surface_offset >= 0, "surface_offset",
-          "finite and at least 0", options.surface_offset);
+  require(has_automatic_offset(options) || (std::isfinite(options.surface_offset) && options.surface_offset >= 0),
+          "surface_offset", "finite and at least 0, or automatic (-1)", options.surface_offset);
   require(
       options.min_distance >= 0 && options.min_distance <= kLargestCoordinate && options.min_distance < options.radius,
       "min_distance", "at least 0, less than the radius and at most 1e18", options.min_distance);

@@ -16,8 +16,15 @@ LKAO_API void check(const RayOptions& options);
 // Throws the same where the radius is infinite and the table's rays are not all as long as it.
 LKAO_API void check(const RayOptions& options, const PlaneMaskTable& table);
 
-// How far rays start off the surface, in units of the largest coordinate in play (RayOptions::surface_offset).
-inline float relative_surface_offset(const RayOptions& options) { return options.surface_offset * 0x1p-24f; }
+inline bool has_automatic_offset(const RayOptions& options) {
+  return options.surface_offset == kAutomaticSurfaceOffset;
+}
+
+// How far rays start off the surface, in units of the largest coordinate in play (RayOptions::surface_offset). An
+// automatic offset is at least this.
+inline float relative_surface_offset(const RayOptions& options) {
+  return (has_automatic_offset(options) ? kQuerySurfaceOffset : options.surface_offset) * 0x1p-24f;
+}
 
 // The largest tilt of a pattern whose lowest ray is at that elevation: a tenth of it stays, so that rounding cannot use
 // it up.

@@ -3,6 +3,8 @@
 #include <epoxy/gl.h>
 #include <fmt/format.h>
 
+#include <cmath>
+#include <numbers>
 #include <stdexcept>
 
 #include "gpu/frame/limits.h"
@@ -28,27 +30,68 @@ void validate(const GBuffer& g_buffer) {
     throw std::invalid_argument(
         fmt::format("exactly one of depth, linear_depth and positions must be given, not {}", place_count));
   }
-  const auto require = [&](const char* name, ObjectName texture, int component_count) {
-    require_readable(name, texture, width, height, component_count);
+  const auto require = [&](const char* name, ObjectName texture, int component_count, Use use) {
+    require_readable(name, texture, width, height, component_count, use);
   };
-  if (g_buffer.depth != 0) require("depth", g_buffer.depth, 1);
-  if (g_buffer.linear_depth != 0) require("linear_depth", g_buffer.linear_depth, 1);
-  if (g_buffer.positions != 0) require("positions", g_buffer.positions, 3);
-  require("normals", g_buffer.normals, 3);
-  if (g_buffer.geometric_normals != 0) require("geometric_normals", g_buffer.geometric_normals, 3);
+  if (g_buffer.depth != 0) require("depth", g_buffer.depth, 1, Use::depth);
+  if (g_buffer.linear_depth != 0) require("linear_depth", g_buffer.linear_depth, 1, Use::distance);
+  if (g_buffer.positions != 0) require("positions", g_buffer.positions, 3, Use::position);
+  const int normal_size = g_buffer.normal_encoding == NormalEncoding::xyz ? 3 : 2;
+  require("normals", g_buffer.normals, normal_size, Use::normal);
+  if (g_buffer.geometric_normals != 0) {
+    require("geometric_normals", g_buffer.geometric_normals, normal_size, Use::normal);
+  }
+  if (g_buffer.normal_encoding == NormalEncoding::xy && g_buffer.normal_space != NormalSpace::view) {
+    throw std::invalid_argument("normal_encoding xy needs normals in view space: set normal_space");
+  }
 }
+
+namespace {
+
+ObjectName geometric_normals_of(const GBuffer& g_buffer) {
+  return g_buffer.geometric_normals != 0 ? g_buffer.geometric_normals : g_buffer.normals;
+}
+
+void describe_errors(const GBuffer& g_buffer, ViewBlock& view) {
+  const ObjectName place = g_buffer.depth + g_buffer.linear_depth + g_buffer.positions;
+  const Steps steps = steps_of(place), normal_steps = steps_of(geometric_normals_of(g_buffer));
+  view.place_step = steps.fixed;
+  view.place_ulp = steps.relative;
+  // Of each component, as wide as they are decoded.
+  const bool is_unsigned = is_unorm(geometric_normals_of(g_buffer));
+  const float step = (is_unsigned ? 2.0f : 1.0f) * normal_steps.fixed + normal_steps.relative;
+  switch (g_buffer.normal_encoding) {
+    case NormalEncoding::xyz:
+      view.normal_error = std::numbers::sqrt3_v<float> * step;
+      break;
+    case NormalEncoding::octahedral:
+      // The third changes by as much as both others, and the octahedron is as near as 1 / sqrt 3.
+      view.normal_error = std::sqrt(6.0f) * std::numbers::sqrt3_v<float> * step;
+      break;
+    case NormalEncoding::xy:
+      view.normal_error = std::sqrt(3.0f * step);  // where z is near 0
+      break;
+  }
+}
+
+}  // namespace
 
 ViewBlock make_view_block(const GBuffer& g_buffer, const Camera& camera) {
   ViewBlock view = make_view_block(camera, g_buffer.width, g_buffer.height);
   view.place = g_buffer.depth != 0          ? LKAO_PLACE_DEPTH
                : g_buffer.linear_depth != 0 ? LKAO_PLACE_LINEAR_DEPTH
                                             : LKAO_PLACE_POSITION;
+  view.has_view_space_positions = g_buffer.position_space == PositionSpace::view;
+  view.normal_encoding = g_buffer.normal_encoding == NormalEncoding::octahedral ? LKAO_NORMALS_OCTAHEDRAL
+                         : g_buffer.normal_encoding == NormalEncoding::xy       ? LKAO_NORMALS_XY
+                                                                                : LKAO_NORMALS_XYZ;
   view.has_unorm_normals = is_unorm(g_buffer.normals);
   view.has_view_space_normals = g_buffer.normal_space == NormalSpace::view;
   if (g_buffer.geometric_normals != 0) {
     view.has_geometric_normals = 1;
     view.has_unorm_geometric_normals = is_unorm(g_buffer.geometric_normals);
   }
+  describe_errors(g_buffer, view);
   return view;
 }
 

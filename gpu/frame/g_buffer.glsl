@@ -12,11 +12,17 @@ layout(binding = LKAO_UNIT_GEOMETRIC_NORMALS) uniform sampler2D geometric_normal
 #if LKAO_DOUBLE
 #define LKAO_FROM_CLIP view.world_from_clip
 real along_view(dvec3 position) { return dot(dvec3(view.view_depth.xyz), position) + double(view.view_depth.w); }
-vec3 from_world(vec3 position) { return position; }
+vec3 from_place(vec3 position) {
+  if (view.has_view_space_positions == 0) return position;
+  return vec3((view.world_from_view * dvec4(dvec3(position), 1.0lf)).xyz);
+}
 #else
 #define LKAO_FROM_CLIP view.view_from_clip
 real along_view(vec3 position) { return -position.z; }
-vec3 from_world(vec3 position) { return (view.view_from_world * vec4(position, 1.0)).xyz; }
+vec3 from_place(vec3 position) {
+  if (view.has_view_space_positions != 0) return position;
+  return (view.view_from_world * vec4(position, 1.0)).xyz;
+}
 #endif
 
 // Of each pixel of the ray through its centre: a point of the ray, at a depth in clip space.
@@ -30,7 +36,7 @@ real3 unproject(ivec2 pixel, real depth) {
 bool find_position(ivec2 pixel, out vec3 position) {
   vec4 texel = texelFetch(place, pixel, 0);
   if (view.place == LKAO_PLACE_POSITION) {
-    position = from_world(texel.xyz);
+    position = from_place(texel.xyz);
     return true;
   }
   bool zero_to_one = view.is_zero_to_one != 0, is_reversed = view.is_reversed != 0;
@@ -50,11 +56,21 @@ bool find_position(ivec2 pixel, out vec3 position) {
 
 bool is_position_in_range(vec3 position) { return all(lessThanEqual(abs(position), vec3(LKAO_LARGEST_COORDINATE))); }
 
+// Cigolle et al. 2014, listing 2; not of unit length.
+vec3 from_octahedron(vec2 place) {
+  vec3 n = vec3(place, 1.0 - abs(place.x) - abs(place.y));
+  if (n.z < 0.0) n.xy = (1.0 - abs(n.yx)) * vec2(n.x < 0.0 ? -1.0 : 1.0, n.y < 0.0 ? -1.0 : 1.0);
+  return n;
+}
+
 // As the texture has it; zero where it is no direction.
 vec3 decode_normal(vec4 texel, int is_unorm) {
   // Written so that a NaN fails.
   if (!(all(lessThanEqual(abs(texel.xyz), vec3(3.4028234e38))))) return vec3(0);
-  return is_unorm != 0 ? 2.0 * texel.xyz - 1.0 : texel.xyz;
+  vec3 n = is_unorm != 0 ? 2.0 * texel.xyz - 1.0 : texel.xyz;
+  if (view.normal_encoding == LKAO_NORMALS_OCTAHEDRAL) return from_octahedron(n.xy);
+  if (view.normal_encoding == LKAO_NORMALS_XY) return vec3(n.xy, sqrt(max(1.0 - dot(n.xy, n.xy), 0.0)));
+  return n;
 }
 
 #if LKAO_DOUBLE

@@ -1,8 +1,11 @@
 #include "gpu/frame/texture_checks.h"
 
+#include <cmath>
 #include <stdexcept>
 
 #include <fmt/format.h>
+
+#include "gpu/frame/format_names.h"
 
 namespace lkao::gl {
 namespace {
@@ -15,11 +18,42 @@ GLint level_parameter(ObjectName texture, GLenum name) {
 
 bool is_integer(GLint type) { return type == GL_INT || type == GL_UNSIGNED_INT; }
 
+// Null where the format can hold what is read.
+const char* why_useless(ObjectName texture, Use use) {
+  const GLenum format = format_of(texture);
+  const bool is_srgb = format == GL_SRGB8 || format == GL_SRGB8_ALPHA8 || format == GL_SRGB || format == GL_SRGB_ALPHA;
+  const bool has_no_sign = format == GL_R11F_G11F_B10F || format == GL_RGB9_E5;
+  const bool is_depth = level_parameter(texture, GL_TEXTURE_DEPTH_TYPE) != GL_NONE;
+  switch (use) {
+    case Use::normal:
+      if (is_srgb) return "shaders read its numbers decoded as colours";
+      if (has_no_sign) return "its floats have no sign";
+      return nullptr;
+    case Use::position:
+      if (is_srgb || is_unorm(texture)) return "it holds 0 to 1 only";
+      if (has_no_sign) return "its floats have no sign";
+      return nullptr;
+    case Use::distance:
+      if (is_depth || is_srgb || is_unorm(texture)) {
+        return "it holds 0 to 1 only, and linear_depth is a distance in the unit of positions";
+      }
+      return nullptr;
+    case Use::depth:
+      return is_srgb ? "shaders read its numbers decoded as colours" : nullptr;
+    default:
+      return nullptr;
+  }
+}
+
 }  // namespace
 
 void require_size(const char* name, ObjectName texture, int width, int height) {
+  if (texture == 0) throw std::invalid_argument(fmt::format("{} is not set", name));
   if (glIsTexture(texture) != GL_TRUE) {
-    throw std::invalid_argument(fmt::format("{} is {}, which is no texture of the current context", name, texture));
+    throw std::invalid_argument(
+        fmt::format("{} is {}, which is no texture of the current context: was it made in one that shares nothing with "
+                    "this, deleted, or never bound?",
+                    name, texture));
   }
   GLint target = 0;
   glGetTextureParameteriv(texture, GL_TEXTURE_TARGET, &target);
@@ -34,14 +68,18 @@ void require_size(const char* name, ObjectName texture, int width, int height) {
   }
 }
 
-void require_readable(const char* name, ObjectName texture, int width, int height, int component_count) {
+void require_readable(const char* name, ObjectName texture, int width, int height, int component_count, Use use) {
   require_size(name, texture, width, height);
   const GLint red = level_parameter(texture, GL_TEXTURE_RED_TYPE);
   const bool is_depth = level_parameter(texture, GL_TEXTURE_DEPTH_TYPE) != GL_NONE;
-  const bool has_all = level_parameter(texture, GL_TEXTURE_BLUE_TYPE) != GL_NONE || component_count == 1;
+  const GLenum last = component_count >= 3 ? GL_TEXTURE_BLUE_TYPE : GL_TEXTURE_GREEN_TYPE;
+  const bool has_all = component_count == 1 || level_parameter(texture, last) != GL_NONE;
   if (is_integer(red) || (red == GL_NONE && !is_depth) || !has_all) {
-    throw std::invalid_argument(fmt::format("{} must have {} float or normalised components, not the format {:#x}",
-                                            name, component_count, format_of(texture)));
+    throw std::invalid_argument(fmt::format("{} must have {} float or normalised components, not the format {}", name,
+                                            component_count, format_name(format_of(texture))));
+  }
+  if (const char* reason = why_useless(texture, use)) {
+    throw std::invalid_argument(fmt::format("{} cannot be in {}: {}", name, format_name(format_of(texture)), reason));
   }
 }
 
@@ -50,11 +88,23 @@ void require_format(const char* name, ObjectName texture, const char* known, std
   for (GLenum possible : formats) {
     if (format == possible) return;
   }
-  throw std::invalid_argument(fmt::format("{} must have one of the formats {}, not {:#x}", name, known, format));
+  throw std::invalid_argument(
+      fmt::format("{} must have one of the formats {}, not {}", name, known, format_name(format)));
 }
 
 GLenum format_of(ObjectName texture) {
   return static_cast<GLenum>(level_parameter(texture, GL_TEXTURE_INTERNAL_FORMAT));
+}
+
+Steps steps_of(ObjectName texture) {
+  const bool is_depth = level_parameter(texture, GL_TEXTURE_DEPTH_TYPE) != GL_NONE;
+  const GLint type = level_parameter(texture, is_depth ? GL_TEXTURE_DEPTH_TYPE : GL_TEXTURE_RED_TYPE);
+  const GLint bits = level_parameter(texture, is_depth ? GL_TEXTURE_DEPTH_SIZE : GL_TEXTURE_RED_SIZE);
+  if (type == GL_UNSIGNED_NORMALIZED) return {1 / (std::ldexp(1.0f, bits) - 1), 0};
+  if (type == GL_SIGNED_NORMALIZED) return {1 / (std::ldexp(1.0f, bits - 1) - 1), 0};
+  // Floats; of fewer bits the smallest are all as far from each other.
+  if (bits >= 32) return {0, 0x1p-23f};
+  return {0x1p-24f, 0x1p-10f};
 }
 
 bool is_unorm(ObjectName texture) { return level_parameter(texture, GL_TEXTURE_RED_TYPE) == GL_UNSIGNED_NORMALIZED; }

@@ -13,14 +13,24 @@ namespace lkao::gl {
 // A GL_TEXTURE_2D of that size.
 void require_size(const char* name, ObjectName texture, int width, int height);
 
-// One that shaders read as floats, with at least so many components.
-void require_readable(const char* name, ObjectName texture, int width, int height, int component_count);
+// What shaders read from a texture, as floats.
+enum class Use { value, depth, distance, position, normal };
+
+// One of that size with at least so many components, in a format that can hold what is read.
+void require_readable(const char* name, ObjectName texture, int width, int height, int component_count, Use use);
 
 // One of these internal formats; `known` is how the message says them.
 void require_format(const char* name, ObjectName texture, const char* known, std::initializer_list<GLenum> formats);
 
 // The internal format of level 0.
 GLenum format_of(ObjectName texture);
+
+// From one value that the red (or depth) component can have to the next: always, and as a share of the power of two
+// below it.
+struct Steps {
+  float fixed = 0, relative = 0;
+};
+Steps steps_of(ObjectName texture);
 
 // Unsigned and normalised, so that shaders see 0 to 1.
 bool is_unorm(ObjectName texture);

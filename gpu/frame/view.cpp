@@ -3,8 +3,10 @@
 #include <epoxy/gl.h>
 
 #include <cmath>
+#include <numbers>
 #include <stdexcept>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
@@ -56,6 +58,35 @@ DepthMap depth_map_of(const glm::mat4& projection, bool has_perspective) {
   return has_perspective ? DepthMap{-a, b} : DepthMap{b, -a};
 }
 
+glm::vec4 sizes(const glm::dvec4& v) { return glm::vec4(glm::abs(v)); }
+
+// The length of the longest of the rays that go one unit along the view: it ends in a corner of the picture.
+double longest_ray_of(const glm::mat4& projection) {
+  const glm::dmat4 view_from_clip = glm::inverse(glm::dmat4(projection));
+  double longest = 0;
+  for (const double x : {-1.0, 1.0}) {
+    for (const double y : {-1.0, 1.0}) {
+      const glm::dvec4 h = view_from_clip * glm::dvec4(x, y, 0.5, 1);
+      const glm::dvec3 corner = glm::dvec3(h) / h.w;
+      longest = std::fmax(longest, glm::length(corner) / std::fabs(corner.z));
+    }
+  }
+  return longest;
+}
+
+void describe_errors(const Camera& camera, const DepthMap& depth, ViewBlock& block) {
+  const glm::dmat4 clip = clip_from_world(camera);
+  block.clip_depth_size = sizes(row(clip, 2));
+  block.clip_w_size = sizes(row(clip, 3));
+  block.depth_offset = static_cast<float>(depth.offset);
+  block.depth_slope = static_cast<float>(depth.slope);
+  block.longest_ray = block.is_perspective != 0 ? static_cast<float>(longest_ray_of(camera.projection)) : 1.0f;
+  GLint subpixel_bits = 0;
+  glGetIntegerv(GL_SUBPIXEL_BITS, &subpixel_bits);
+  // Half a step of the grid along both axes.
+  block.pixel_step = block.pixel_size * std::ldexp(std::numbers::sqrt2_v<float>, -subpixel_bits - 1);
+}
+
 }  // namespace
 
 ViewBlock make_view_block(const Camera& camera, int width, int height) {
@@ -66,6 +97,8 @@ ViewBlock make_view_block(const Camera& camera, int width, int height) {
 
   ViewBlock block{};
   block.world_from_clip = glm::inverse(clip_from_world(camera));
+  block.world_from_view = world_from_view;
+  block.clip_from_view = camera.projection;
   block.view_from_clip = glm::inverse(glm::dmat4(camera.projection));
   block.view_from_world = camera.view;
   // The inverse of a rotation: its rows.
@@ -82,6 +115,7 @@ ViewBlock make_view_block(const Camera& camera, int width, int height) {
   const double x = 2.0 / (width * glm::length(glm::dvec3(row(camera.projection, 0)) * glm::dvec3(1, 1, 0)));
   const double y = 2.0 / (height * glm::length(glm::dvec3(row(camera.projection, 1)) * glm::dvec3(1, 1, 0)));
   block.pixel_size = static_cast<float>(std::fmax(x, y));
+  describe_errors(camera, depth, block);
   return block;
 }
 

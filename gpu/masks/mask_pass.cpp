@@ -2,7 +2,9 @@
 #include "lkao/gl/mask_pass.h"
 
 #include <stdexcept>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "gpu/frame/g_buffer.h"
 #include "gpu/frame/occlusion_target.h"
@@ -58,6 +60,7 @@ void MaskPass::draw(const Occluders& occluders, const GBuffer& g_buffer, const C
   if (mesh.has_ranges() || options.min_distance > 0) state.table->add_directions();
   state.describe(mesh, g_buffer, camera, options, raster);
   state.bind_inputs(g_buffer);
+  state.check_inputs(g_buffer, options);
   state.classify_occluders(mesh);
   state.find_receivers();
   state.find_radius(mesh);
@@ -99,6 +102,11 @@ Status MaskPass::try_resolve(const ResolveTargets& targets) noexcept {
 ObjectName MaskPass::masks_texture() const {
   state_->require_drawn();
   return state_->images.masks();
+}
+
+std::vector<std::string> MaskPass::warnings() const {
+  state_->require_drawn();
+  return state_->warnings;
 }
 
 GeometryBackEnd MaskPass::geometry() const { return state_->setup.geometry; }

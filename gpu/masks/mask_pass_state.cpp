@@ -98,6 +98,7 @@ void MaskPass::State::describe(const MeshBuffers& mesh, const GBuffer& g_buffer,
   shapes_block.billboard_threshold = raster.billboard_threshold;
   shapes_block.min_distance = options.min_distance;
   shapes_block.relative_surface_offset = lut::relative_surface_offset(options);
+  shapes_block.is_offset_automatic = lut::has_automatic_offset(options);
 
   block = {};
   table->describe(block);
@@ -113,6 +114,12 @@ void MaskPass::State::bind_inputs(const GBuffer& g_buffer) const {
   bind_blocks();
   bind(g_buffer, plain_sampler);
   unbounded_radius.begin();
+}
+
+void MaskPass::State::check_inputs(const GBuffer& g_buffer, const RayOptions& options) {
+  if (!setup.check_g_buffer) return;
+  check.look_at(g_buffer);
+  warnings = check.remarks(options);
 }
 
 void MaskPass::State::bind_blocks() const {

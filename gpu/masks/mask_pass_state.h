@@ -2,7 +2,10 @@
 #pragma once
 
 #include <optional>
+#include <string>
+#include <vector>
 
+#include "gpu/frame/g_buffer_check.h"
 #include "gpu/frame/view_block.h"
 #include "gpu/gl/objects.h"
 #include "gpu/gl/state_keeper.h"
@@ -32,6 +35,7 @@ struct MaskPass::State {
   void describe(const MeshBuffers& mesh, const GBuffer& g_buffer, const Camera& camera, const RayOptions& options,
                 const RasterOptions& raster);
   void bind_inputs(const GBuffer& g_buffer) const;
+  void check_inputs(const GBuffer& g_buffer, const RayOptions& options);
   void classify_occluders(const MeshBuffers& mesh);
   void find_receivers();
   // Only for an infinite radius: finds one that stands for it, and classifies the occluders again.
@@ -52,9 +56,11 @@ struct MaskPass::State {
   ShapeLists shapes;
   UnboundedRadius unbounded_radius;
   MaskImages images;
+  GBufferCheck check;
 
   // Of the last draw().
   bool is_drawn = false;
+  std::vector<std::string> warnings;
   ViewBlock view{};
   ShapesBlock shapes_block{};
   MaskPassBlock block{};

@@ -3,6 +3,7 @@
 // does it (query::make_rays), in the same precision.
 #define LKAO_DOUBLE 1
 #include "gpu/frame/g_buffer.glsl"
+#include "gpu/frame/position_error.glsl"
 #include "gpu/masks/jittered_frame.glsl"
 #include "gpu/masks/units.h"
 #include "gpu/mesh/extent.glsl"
@@ -30,6 +31,10 @@ void main() {
   vec3 up = vec3(unit(geometric));
   float largest = texelFetch(largest_coordinate, 0).x;
   precise float offset = shapes.relative_surface_offset * max(largest_component(position), largest);
+  if (shapes.is_offset_automatic != 0) {
+    float in_play = max(largest_component(position), largest);
+    offset += min(error_along(up, position, in_play), largest_added_offset());
+  }
   precise vec3 origin = position + up * offset;
   if (shapes.is_unbounded != 0) include_point(kOrigins, origin);
   uint index = uint(pixel.y) * uint(view.width) + uint(pixel.x);

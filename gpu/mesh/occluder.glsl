@@ -1,4 +1,5 @@
 // A triangle as the shapes and the fragments need it.
+#include "gpu/frame/position_error.glsl"
 #include "gpu/mesh/depth.glsl"
 #include "gpu/mesh/range.glsl"
 
@@ -35,10 +36,13 @@ Occluder fetch_occluder(uint triangle) {
 // By how much a shape is larger than the influence region, so that rounding loses no pixel: of the radius, of
 // coordinates and the surface offset, and of a pixel, since rasterisers put corners on a grid of 1/256 pixel.
 float margin_of(Occluder o) {
-  float largest = texelFetch(largest_coordinate, 0).x;
-  float far = is_perspective() ? max(o.depths.y + o.range.y, 0.0) : 1.0;
-  return 1e-3 * o.range.y + (2.0 * shapes.relative_surface_offset + 8e-7) * (largest + 2.0 * ao_radius()) +
-         view.pixel_size * far / 32.0;
+  float largest = texelFetch(largest_coordinate, 0).x, in_play = largest + 2.0 * ao_radius();
+  float last = o.depths.y + o.range.y, far = is_perspective() ? max(last, 0.0) : 1.0;
+  float margin = 1e-3 * o.range.y + (2.0 * shapes.relative_surface_offset + 8e-7) * in_play + view.pixel_size * far / 32.0;
+  if (shapes.is_offset_automatic == 0) return margin;
+  // Receivers that start farther off the surface may be farther away by as much.
+  float farthest = 1.01 * max(last, o.range.y - o.depths.x) + o.range.y;
+  return margin + min(1.01 * largest_error(farthest, in_play), largest_added_offset());
 }
 
 vec4 to_clip(vec3 position) { return shapes.clip_from_world * vec4(position, 1.0); }

@@ -13,7 +13,8 @@ float min_distance;             // where rays begin to count
 float depth_scale, depth_far;   // see depth.glsl
 int is_two_sided;
 int has_ranges;
-int is_unbounded;  // the AO radius is infinite
+int is_unbounded;         // the AO radius is infinite
+int is_offset_automatic;  // receivers start farther off by what their positions may be off
 LKAO_BLOCK_END(shapes)
 
 #endif

@@ -97,7 +97,7 @@ void BilateralFilter::filter(const GBuffer& g_buffer, const Camera& camera, Obje
   require_clean_context(state_->setup.host_errors);
   check(options);
   validate(g_buffer);
-  require_readable("occlusion", occlusion, g_buffer.width, g_buffer.height, 1);
+  require_readable("occlusion", occlusion, g_buffer.width, g_buffer.height, 1, Use::value);
   validate(to, g_buffer.width, g_buffer.height);
   const ViewBlock view = make_view_block(g_buffer, camera);
   const StateKeeper keeper(kUse, state_->setup.keep_state);

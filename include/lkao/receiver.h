@@ -40,6 +40,10 @@ struct Jitter {
   float tilt = 0.0f;
 };
 
+// Of RayOptions::surface_offset. Automatic: whoever makes the receivers finds it. The query then takes its own.
+inline constexpr float kAutomaticSurfaceOffset = -1.0f;
+inline constexpr float kQuerySurfaceOffset = 16.0f;
+
 // The rays of every receiver and what they meet. The same values mean the same rays to the CPU's query and to the
 // OpenGL passes. What takes them throws std::invalid_argument, naming the option and its value, where one is out of
 // range.
@@ -53,8 +57,11 @@ struct RayOptions {
   std::uint64_t seed = 0;
   // Rays start off the surface, so that rounding does not make a receiver block itself: moved along the
   // geometric normal by surface_offset x 2^-24 x the largest coordinate in play (of the receiver or of the
-  // occluders' bounds). >= 0 and finite; 0 where positions are already off the surface.
-  float surface_offset = 16.0f;
+  // occluders' bounds). >= 0 and finite; 0 where positions are already off the surface; or automatic: for the query
+  // kQuerySurfaceOffset. An OpenGL pass adds to that what a pixel's position may be off its surface, by the formats of
+  // its textures, the projection and the rasteriser (gpu/README.md), up to a quarter of a finite AO radius. Where a
+  // pass shall cast the very rays of the query, give it kQuerySurfaceOffset, and positions of 32-bit floats.
+  float surface_offset = kAutomaticSurfaceOffset;
   // Where rays begin to count, in the unit of the positions, measured from where they start: ray i is blocked by what
   // its part from min_distance to its end meets, bit for bit as by one OccluderLevel with that r_min. Rays no longer
   // than this are cast and are never blocked. At least 0 and less than the radius; 0: rays count from their (open)

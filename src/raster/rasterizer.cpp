@@ -59,9 +59,12 @@ double Rasterizer::draw(const RayOptions& options, const gl::RasterOptions& rast
   drawn_ = Drawn::nothing;
   const gl::GBuffer g_buffer = textures_->g_buffer();
   const gl::ResolveTargets targets = textures_->targets(with_bent_normals);
+  // The textures have the receivers as they are: they start where the query's do.
+  RayOptions rays = options;
+  if (rays.surface_offset == kAutomaticSurfaceOffset) rays.surface_offset = kQuerySurfaceOffset;
   glFinish();
   const Clock::time_point start = Clock::now();
-  pass.draw(*occluders_, g_buffer, camera_, options, raster);
+  pass.draw(*occluders_, g_buffer, camera_, rays, raster);
   pass.resolve(targets);
   glFinish();
   const double seconds = std::chrono::duration<double>(Clock::now() - start).count();

@@ -46,6 +46,17 @@ std::vector<NamedCamera> all_cameras() {
 
 class Cameras : public OnSoftware {
  protected:
+  static void expect_receivers(const std::vector<PixelReceiver>& seen, const std::vector<Receiver>& expected,
+                               float tolerance) {
+    std::size_t off_count = 0;
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+      const bool shows_something = expected[i].normal != glm::vec3(0);
+      off_count += seen[i].is_valid != shows_something ||
+                   (shows_something && glm::distance(seen[i].origin, expected[i].position) > tolerance);
+    }
+    EXPECT_EQ(off_count, 0u);
+  }
+
   // The masks of the last draw against the CPU's at the very same receivers.
   static void expect_cpu_masks(PassOnMesh& pass, const Mesh& mesh, const SamplePattern& pattern,
                                const RayOptions& options) {
@@ -77,28 +88,48 @@ TEST_F(Cameras, OfAllKindsGiveTheCpusMasks) {
   const Mesh mesh = furnished_room();
   const PlaneMaskTable table(SamplePattern::standard(64), {.resolution = 32});
   PassOnMesh pass = make_pass(mesh, table);
+  // Coarse formats take receivers so far off their surfaces that shapes must know of it.
+  const GBufferFormats fine, coarse{.depth = GL_DEPTH_COMPONENT16, .linear_depth = GL_R16F, .positions = GL_RGBA16F};
   for (const auto& [name, camera] : all_cameras()) {
-    const GBufferPass g_buffer(mesh, camera, kWidth, kHeight);
-    const auto receivers = g_buffer.receivers();
-    for (const bool two_sided : {true, false}) {
-      // Depths round so coarsely that receivers would lie before, in and behind their surfaces: they start farther off.
-      const RayOptions options{.radius = 0.7f, .sidedness = sidedness_of(two_sided), .surface_offset = 2000.0f};
-      for (const GBuffer& textures : {g_buffer.by_positions(), g_buffer.by_depth(), g_buffer.by_linear_depth()}) {
-        SCOPED_TRACE(name + (textures.depth != 0          ? ", by depth"
-                             : textures.linear_depth != 0 ? ", by linear depth"
-                                                          : ", by positions"));
-        pass.draw(textures, camera, options);
-        const std::vector<PixelReceiver> seen = pass.read_receivers();
-        std::size_t off_count = 0;
-        for (std::size_t i = 0; i < seen.size(); ++i) {
-          const bool shows_something = receivers[i].normal != glm::vec3(0);
-          off_count += seen[i].is_valid != shows_something ||
-                       (shows_something && glm::distance(seen[i].origin, receivers[i].position) > 2e-3f);
+    const auto receivers = GBufferPass(mesh, camera, kWidth, kHeight).receivers();
+    for (const bool is_fine : {true, false}) {
+      const GBufferPass g_buffer(mesh, camera, kWidth, kHeight, is_fine ? fine : coarse);
+      for (const GBuffer& textures :
+           {g_buffer.by_positions(), g_buffer.by_view_positions(), g_buffer.by_depth(), g_buffer.by_linear_depth()}) {
+        SCOPED_TRACE(name + (is_fine ? "" : ", coarse") +
+                     (textures.depth != 0                              ? ", by depth"
+                      : textures.linear_depth != 0                     ? ", by linear depth"
+                      : textures.position_space == PositionSpace::view ? ", by view positions"
+                                                                       : ", by positions"));
+        for (const bool two_sided : {true, false}) {
+          const RayOptions options{.radius = 0.7f, .sidedness = sidedness_of(two_sided)};
+          pass.draw_off_surface(textures, camera, options);
+          expect_receivers(pass.read_receivers(), receivers, is_fine ? 2e-3f : 0.25f);
+          expect_cpu_masks(pass, mesh, table.pattern(), options);
         }
-        EXPECT_EQ(off_count, 0u);
-        expect_cpu_masks(pass, mesh, table.pattern(), options);
       }
     }
+  }
+}
+
+TEST_F(Cameras, SeeShapesThatReachReceiversFarOffTheirSurfaces) {
+  // A floor seen along itself, its positions coarse so high up: they are out of the reach of what hangs above them, but
+  // receivers start 1/16 higher.
+  constexpr int kPixels = 128;
+  const Camera camera{glm::lookAt(glm::vec3(0, 100, 10), glm::vec3(0, 100, 0), glm::vec3(0, 1, 0)),
+                      glm::ortho(-2.0f, 2.0f, -1.0f / 64, 1.0f / 64, 0.0f, 20.0f), ClipDepth::minus_one_to_one};
+  std::vector<glm::vec4> places, ups(kPixels, {0, 1, 0, 0});
+  for (int i = 0; i < kPixels; ++i) places.emplace_back(-2 + (static_cast<float>(i) + 0.5f) / 32, 100, 0, 1);
+  const Texture positions = make_image(GL_RGBA16F, kPixels, 1, &places[0].x);
+  const Texture normals = make_image(GL_RGBA32F, kPixels, 1, &ups[0].x);
+  const Mesh mesh{{{-1.5f, 101.01f, -1}, {1.5f, 101.01f, -1}, {0, 101.01f, 1}}, {{0, 1, 2}}};
+  const PlaneMaskTable table(SamplePattern::standard(64), {.resolution = 32});
+  PassOnMesh pass = make_pass(mesh, table);
+  for (const float threshold : {0.0f, 100.0f}) {  // prisms, billboards
+    const RayOptions options{.radius = 1};
+    pass.draw_off_surface({.width = kPixels, .height = 1, .positions = positions.name(), .normals = normals.name()},
+                          camera, options, {.billboard_threshold = threshold});
+    expect_cpu_masks(pass, mesh, table.pattern(), options);
   }
 }
 

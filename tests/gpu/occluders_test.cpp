@@ -13,6 +13,7 @@ class SharedOccluders : public InFurnishedRoom<64, 48> {};
 
 TEST_F(SharedOccluders, AreDrawnByPassesOfAnySetup) {
   const PlaneMaskTable exact(SamplePattern::standard(64), {.resolution = 32});
+  const RayOptions options{.radius = 0.8f, .surface_offset = kQuerySurfaceOffset};
   PassOnMesh alone = make_pass(mesh_, exact);
   const auto expected = draw(alone, {.radius = 0.8f});
   Occluders occluders(mesh_.positions, mesh_.triangles);
@@ -22,7 +23,7 @@ TEST_F(SharedOccluders, AreDrawnByPassesOfAnySetup) {
   for (MaskPass* pass : {&first, &second}) pass->set_table(exact);
   // In turns, with options of their own.
   for (MaskPass* pass : {&first, &second, &first}) {
-    pass->draw(occluders, g_buffer_->by_positions(), camera_, {.radius = 0.8f});
+    pass->draw(occluders, g_buffer_->by_positions(), camera_, options);
     EXPECT_EQ(pass->read_masks(), expected);
     pass->draw(occluders, g_buffer_->by_positions(), camera_, {.radius = 0.3f, .sidedness = Sidedness::one_sided});
     EXPECT_NE(pass->read_masks(), expected);
@@ -32,7 +33,7 @@ TEST_F(SharedOccluders, AreDrawnByPassesOfAnySetup) {
   const auto expected_moved = draw(alone, {.radius = 0.8f});
   EXPECT_NE(expected_moved, expected);
   for (MaskPass* pass : {&first, &second}) {
-    pass->draw(occluders, g_buffer_->by_positions(), camera_, {.radius = 0.8f});
+    pass->draw(occluders, g_buffer_->by_positions(), camera_, options);
     EXPECT_EQ(pass->read_masks(), expected_moved);
   }
 }

@@ -96,7 +96,7 @@ TEST_F(PassErrors, NameTheOptionOutOfRange) {
                               {"radius", {.radius = -std::numeric_limits<float>::infinity()}},
                               {"rotation", {.radius = 1.0f, .jitter = {.rotation = 1.5f}}},
                               {"tilt", {.radius = 1.0f, .jitter = {.tilt = nan}}},
-                              {"surface_offset", {.radius = 1.0f, .surface_offset = -1.0f}},
+                              {"surface_offset", {.radius = 1.0f, .surface_offset = -2.0f}},
                               {"billboard_threshold", {.radius = 1.0f}, {.billboard_threshold = nan}}};
   for (const Mistake& bad : mistakes) {
     expect_error<std::invalid_argument>(bad.name, [&] { pass.draw(g_buffer(), camera, bad.options, bad.raster); });
@@ -131,13 +131,47 @@ TEST_F(PassErrors, NameTheTextureAndItsFault) {
   }
   bad = g_buffer();
   bad.normals = 0;
-  expect("normals", bad);
+  expect("normals is not set", bad);
+  bad.normals = 12345u;
+  expect("was it made in one that shares nothing", bad);
 
   pass.draw(g_buffer(), camera, {.radius = 1.0f});
   expect_error<std::invalid_argument>("occlusion", [&] { pass.resolve({.occlusion = {small.name()}}); });
   expect_error<std::invalid_argument>("GL_R8", [&] { pass.resolve({.occlusion = {integers.name()}}); });
   expect_error<std::invalid_argument>("bent_normals", [&] { pass.resolve({.bent_normals = red.name()}); });
   EXPECT_NO_THROW(pass.resolve({.occlusion = {red.name()}}));
+}
+
+TEST_F(PassErrors, NameFormatsAndWhyTheyCannotBe) {
+  PassOnMesh pass = ready_pass();
+  const Camera camera = room_camera(kSize, kSize);
+  const auto expect = [&](ObjectName GBuffer::*member, GLenum format, const std::string& message) {
+    const Texture texture = make_image(format, kSize, kSize);
+    GBuffer bad = g_buffer();
+    if (member == &GBuffer::linear_depth) bad.positions = 0;
+    bad.*member = texture.name();
+    expect_error<std::invalid_argument>(message, [&] { pass.draw(bad, camera, {.radius = 1.0f}); });
+  };
+  expect(&GBuffer::normals, GL_RG16_SNORM,
+         "normals must have 3 float or normalised components, not the format GL_RG16_SNORM");
+  expect(&GBuffer::normals, GL_R11F_G11F_B10F, "normals cannot be in GL_R11F_G11F_B10F: its floats have no sign");
+  expect(&GBuffer::normals, GL_SRGB8_ALPHA8, "normals cannot be in GL_SRGB8_ALPHA8: shaders read its numbers decoded");
+  expect(&GBuffer::geometric_normals, GL_RGB9_E5, "geometric_normals cannot be in GL_RGB9_E5: its floats have no sign");
+  expect(&GBuffer::positions, GL_R11F_G11F_B10F, "positions cannot be in GL_R11F_G11F_B10F: its floats have no sign");
+  expect(&GBuffer::positions, GL_RGBA16, "positions cannot be in GL_RGBA16: it holds 0 to 1 only");
+  expect(&GBuffer::positions, GL_RGBA32UI, "not the format GL_RGBA32UI");
+  expect(&GBuffer::linear_depth, GL_R16, "linear_depth cannot be in GL_R16: it holds 0 to 1 only");
+  expect(&GBuffer::linear_depth, GL_DEPTH_COMPONENT32F, "linear_depth cannot be in GL_DEPTH_COMPONENT32F");
+  const Texture red = make_image(GL_R16F, kSize, kSize), half = make_image(GL_RG16F, kSize, kSize);
+  GBuffer packed = g_buffer();
+  packed.normals = red.name();
+  packed.normal_encoding = NormalEncoding::octahedral;
+  expect_error<std::invalid_argument>("normals must have 2", [&] { pass.draw(packed, camera, {.radius = 1.0f}); });
+  packed.normals = half.name();
+  packed.normal_encoding = NormalEncoding::xy;
+  expect_error<std::invalid_argument>("normal_space", [&] { pass.draw(packed, camera, {.radius = 1.0f}); });
+  pass.draw(g_buffer(), camera, {.radius = 1.0f});
+  expect_error<std::invalid_argument>("not GL_RG16F", [&] { pass.resolve({.occlusion = {half.name()}}); });
 }
 
 TEST_F(PassErrors, NameTheCamerasFault) {

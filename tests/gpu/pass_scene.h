@@ -31,8 +31,14 @@ double share_of_equal_pixels(const std::vector<std::uint64_t>& a, const std::vec
 // A pass and what it draws.
 struct PassOnMesh : MaskPass {
   explicit PassOnMesh(const MaskPassSetup& setup = {}) : MaskPass(setup) {}
-  void draw(const GBuffer& g_buffer, const Camera& camera, const RayOptions& options,
-            const RasterOptions& raster = {}) {
+  // Rays start where those of the query do, so that masks can be the same.
+  void draw(const GBuffer& g_buffer, const Camera& camera, RayOptions options, const RasterOptions& raster = {}) {
+    if (options.surface_offset == kAutomaticSurfaceOffset) options.surface_offset = kQuerySurfaceOffset;
+    draw_off_surface(g_buffer, camera, options, raster);
+  }
+  // As farther off as an automatic offset takes them.
+  void draw_off_surface(const GBuffer& g_buffer, const Camera& camera, const RayOptions& options,
+                        const RasterOptions& raster = {}) {
     MaskPass::draw(occluders, g_buffer, camera, options, raster);
   }
 

@@ -26,7 +26,8 @@ function(validate)
   set(program_count ${program_count} PARENT_SCOPE)
 endfunction()
 
-foreach(name IN ITEMS mesh/classify.comp mesh/radius.comp mesh/transform.comp masks/receivers.comp masks/cast.comp masks/resolve.comp
+foreach(name IN ITEMS frame/check.comp mesh/classify.comp mesh/radius.comp mesh/transform.comp masks/receivers.comp
+                      masks/cast.comp masks/resolve.comp
                       screen/bilateral.comp)
   validate(NAMES ${name})
 endforeach()

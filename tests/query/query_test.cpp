@@ -47,8 +47,10 @@ TEST(Query, NamesABadOption) {
   EXPECT_EQ(error_with({.radius = 0x1p60f}), radius + "1.152921504606847e+18");
   EXPECT_EQ(error_with({.radius = 1, .jitter = {.rotation = 2}}), "jitter.rotation must be in [0, 1] turns, not 2");
   EXPECT_EQ(error_with({.radius = 1, .jitter = {.tilt = -0.5f}}), "jitter.tilt must be in [0, pi/2] radians, not -0.5");
-  EXPECT_EQ(error_with({.radius = 1, .surface_offset = -1}), "surface_offset must be finite and at least 0, not -1");
-  EXPECT_EQ(error_with({.radius = 1, .surface_offset = kNaN}), "surface_offset must be finite and at least 0, not nan");
+  EXPECT_EQ(error_with({.radius = 1, .surface_offset = -2}),
+            "surface_offset must be finite and at least 0, or automatic (-1), not -2");
+  EXPECT_EQ(error_with({.radius = 1, .surface_offset = kNaN}),
+            "surface_offset must be finite and at least 0, or automatic (-1), not nan");
 }
 
 TEST(Query, NamesOutputsOfTheWrongSize) {

@@ -25,23 +25,44 @@ struct Camera {
   ClipDepth clip_depth = ClipDepth::minus_one_to_one;
 };
 
-// Which space normals are in.
+// Which space positions and normals are in: that of Camera::view, before or after it.
+enum class PositionSpace { world, view };
 enum class NormalSpace { world, view };
+
+// What the components of a texture of normals are. Two are enough for unit vectors, and then every texel is one: only
+// its depth or position tells a pixel without a receiver.
+enum class NormalEncoding {
+  xyz,
+  // Onto the octahedron |x| + |y| + |z| = 1, whose lower half is folded over the upper: x and y of that. Z. Cigolle et
+  // al., "A Survey of Efficient Representations for Independent Unit Vectors", JCGT 3(2), 2014.
+  octahedral,
+  // x and y in view space, where z > 0: towards the camera. What leans away from it, as normals of perspective
+  // cameras, of bumps and at outlines may, has lost its z.
+  xy,
+};
 
 // The caller's textures, each GL_TEXTURE_2D of width x height; only read. Exactly one of the first three says where a
 // pixel's receiver is. A pixel has no receiver where its depth is the far end of the depth range, its position is not
 // finite, or its normal is zero or not finite.
+//
+// Any format of floats or normalised numbers will do: with an automatic surface offset (RayOptions::surface_offset)
+// receivers start as far off their surfaces as the format, the projection and the rasteriser may have moved them.
+// Standard depth of 24 bits is off by distance^2 / near x 2^-24; reversed floats, linear depth and positions of 32-bit
+// floats by next to nothing; half floats by 1/1024 of the distance or coordinate. What is nearer than that to another
+// surface may be dark.
 struct GBuffer {
   int width = 0;
   int height = 0;
   ObjectName depth = 0;  // window-space depth of a depth range of 0 to 1: a depth texture, or its copy in a colour one
   ObjectName linear_depth = 0;  // red: distance along the camera's view direction
-  ObjectName positions = 0;     // world space; must lie at their pixels' centres as the camera sees them
-  // Shading normals of any length. Unsigned normalised formats are taken for n / 2 + 1/2.
+  ObjectName positions = 0;     // must lie at their pixels' centres as the camera sees them
+  PositionSpace position_space = PositionSpace::world;
+  // Shading normals of any length. Numbers of unsigned normalised formats are taken for n / 2 + 1/2.
   ObjectName normals = 0;
   // The side of the surface that a receiver lies on (Receiver::geometric_normal); 0: the same as `normals`.
   ObjectName geometric_normals = 0;
   NormalSpace normal_space = NormalSpace::world;
+  NormalEncoding normal_encoding = NormalEncoding::xyz;
 };
 
 // Where occlusion is written: a texture of the caller, GL_TEXTURE_2D, level 0, of the G-buffer's size, in GL_R8,

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include <glm/mat3x3.hpp>
@@ -67,6 +68,10 @@ struct MaskPassSetup {
   // their own.
   bool keep_state = true;
   HostErrors host_errors = HostErrors::reported;
+  // Look at 256 pixels of the first frame, and of the first after a change of which textures a G-buffer has, of their
+  // formats or spaces: positions that are not at their pixels are a wrong argument, and warnings() are found. Waits
+  // for the GPU in such a frame; the others cost a comparison.
+  bool check_g_buffer = true;
 };
 
 // Of the last draw().
@@ -147,6 +152,9 @@ class LKAO_API MaskPass {
   Status try_draw(const Occluders& occluders, const GBuffer& g_buffer, const Camera& camera, const RayOptions& options,
                   const RasterOptions& raster = {}) noexcept;
   Status try_resolve(const ResolveTargets& targets) noexcept;
+  // Remarks on the last draw()'s G-buffer: what will do, but not well, such as positions of half floats. A line each;
+  // none without MaskPassSetup::check_g_buffer.
+  std::vector<std::string> warnings() const;
 
   // What is used, after the driver's check.
   GeometryBackEnd geometry() const;

@@ -107,8 +107,6 @@ void run(const Options& options) {
   lkao::gl::Occluders occluders(mesh.positions, mesh.triangles);                          // lkao, for each mesh
   lkao::RayOptions ray_options;
   ray_options.radius = options.radius;
-  // Positions that are found from depths lie a little off their surfaces.
-  ray_options.surface_offset = 200;
 
   Times times;
   for (int frame = 0; frame < options.frame_count; ++frame) {
