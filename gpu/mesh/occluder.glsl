@@ -38,7 +38,8 @@ Occluder fetch_occluder(uint triangle) {
 float margin_of(Occluder o) {
   float largest = texelFetch(largest_coordinate, 0).x, in_play = largest + 2.0 * ao_radius();
   float last = o.depths.y + o.range.y, far = is_perspective() ? max(last, 0.0) : 1.0;
-  float margin = 1e-3 * o.range.y + (2.0 * shapes.relative_surface_offset + 8e-7) * in_play + view.pixel_size * far / 32.0;
+  float margin = 1e-3 * o.range.y + (2.0 * shapes.relative_surface_offset + 8e-7) * in_play +
+                 view.pixel_size * far / 32.0;
   if (shapes.is_offset_automatic == 0) return margin;
   // Receivers that start farther off the surface may be farther away by as much.
   float farthest = 1.01 * max(last, o.range.y - o.depths.x) + o.range.y;

@@ -231,7 +231,7 @@ TEST_F(BilateralFilterOnRoom, NamesWhatIsWrong) {
   expect("occlusion must be of", small.name(), occlusion.name(), {});
   expect("occlusion must have 1 float", integers.name(), occlusion.name(), {});
   expect("occlusion must have one of the formats GL_R8", occlusion.name(), color.name(), {});
-  expect("no texture", 0, occlusion.name(), {});
+  expect("occlusion is not set", 0, occlusion.name(), {});
 }
 
 }  // namespace
