@@ -24,7 +24,7 @@ TEST_F(BakeCommand, MeasuresEveryKindOfValue) {
 
 TEST_F(BakeCommand, BadInputIsOneLine) {
   expect_rejected({"bake", "builtin:cornell"}, {"cornell"});
-  expect_rejected({"bake", "builtin:wall", "--rays", "100"}, {"--rays"});
+  expect_rejected({"bake", "builtin:wall", "--rays", "1025"}, {"--rays"});
 }
 
 }  // namespace

@@ -97,7 +97,7 @@ TEST_F(RasterCommand, CullsAddUp) {
 TEST_F(RasterCommand, BadInputIsOneLine) {
   for (const Arguments& more : std::vector<Arguments>{{"--scenes", "cornell"},
                                                       {"--views", path("nowhere.json")},
-                                                      {"--samples", "100"},
+                                                      {"--samples", "1025"},
                                                       {"--studies", "speed"},
                                                       {"--radii", "-1"},
                                                       {"--gl", "metal"}}) {

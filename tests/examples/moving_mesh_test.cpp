@@ -106,7 +106,7 @@ TEST_F(MovingMesh, BadInputIsOneLine) {
   const std::pair<Arguments, const char*> mistakes[] = {
       {{"--size", "640"}, "640"},      {{"--size", "0x48"}, "0x48"}, {{"--size", "64x48x"}, "64x48x"},
       {{"--frames", "0"}, "--frames"}, {{"--gl", "metal"}, "--gl"},  {{"--masks", "none"}, "--masks"},
-      {{"--radius", "-1"}, "radius"},  {{"--rays", "65"}, "65"},     {{"--output", path("file")}, "file"},
+      {{"--radius", "-1"}, "radius"},  {{"--rays", "1025"}, "1025"}, {{"--output", path("file")}, "file"},
       {{"--nonsense"}, "--nonsense"}};
   for (const auto& [arguments, named] : mistakes) {
     const ProgramResult result = run_program(arguments);

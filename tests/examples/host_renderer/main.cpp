@@ -177,7 +177,7 @@ int main(int argc, char** argv) {
   app.add_option("--ao", options.ao)->check(CLI::IsMember({"embree", "lkao", "both"}))->capture_default_str();
   app.add_option("--radius", options.radius,
                  "AO radius: a length, 5% of the scene's diagonal, or inf (default: one that suits the scene)");
-  app.add_option("--rays", options.ray_count, "a pixel: 64, 128, ... 1024")->capture_default_str();
+  app.add_option("--rays", options.ray_count, "a pixel, 1 to 1024")->capture_default_str();
   app.add_option("--width", options.width)->check(CLI::Range(1, 8192))->capture_default_str();
   app.add_option("--height", options.height)->check(CLI::Range(1, 8192))->capture_default_str();
   app.add_option("-o,--output", options.output, "PNG file of the visibility");

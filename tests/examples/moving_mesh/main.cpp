@@ -141,7 +141,7 @@ int main(int argc, char** argv) {
   app.add_option("--size", options.size, "WIDTHxHEIGHT in pixels")->capture_default_str();
   app.add_option("--output", options.output, "folder for the frames as PNG files (default: none are written)");
   app.add_option("--radius", options.radius, "AO radius")->capture_default_str();
-  app.add_option("--rays", options.ray_count, "a pixel: 64, 128, ... 1024")->capture_default_str();
+  app.add_option("--rays", options.ray_count, "a pixel, 1 to 1024")->capture_default_str();
   app.add_option("--masks", options.masks, "nearest: the paper's, fast; exact: the query's")
       ->check(CLI::IsMember(list_words(lkao::method::kPlaneMaskWords)))
       ->capture_default_str();
