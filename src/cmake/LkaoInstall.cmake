@@ -1,7 +1,7 @@
 # cmake --install: headers, libraries, the program, and what find_package(lkao CONFIG) and pkg-config read.
 #
-# Components: lkao_lut, lkao_core, lkao_gl: what programs are built with; lkao_runtime, lkao_gl_runtime: the libraries of
-# a shared lkao alone; lkao_program.
+# Components: lkao_lut, lkao_core, lkao_gl: what programs are built with; lkao_runtime, lkao_gl_runtime: the libraries
+# of a shared lkao alone; lkao_program.
 
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
