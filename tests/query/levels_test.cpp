@@ -10,6 +10,7 @@
 #include "bvh/ray_parts.h"
 #include "bvh/ray_triangle.h"
 #include "lkao/lkao.h"
+#include "support/kernel_choice.h"
 #include "support/meshes.h"
 #include "support/receivers.h"
 
@@ -23,30 +24,14 @@ struct Range {
 };
 const std::vector<Range> kRanges = {{0, 0.1f}, {0.1f, 0.3f}, {0.3f, 0.31f}, {0.31f, 1.7f}, {1.7f, kInfinity}};
 
-struct KernelChoice {
-  Kernel kernel;
-  std::string isa;
-};
-
-std::vector<KernelChoice> all_kernels() {
-  std::vector<KernelChoice> kernels = {{Kernel::scalar, ""}};
-  for (const std::string& isa : available_isas()) kernels.push_back({Kernel::simd, isa});
-  return kernels;
-}
-
-class Levels : public testing::TestWithParam<KernelChoice> {
+class Levels : public tests::OnEveryKernel {
  protected:
-  void SetUp() override { force_isa(GetParam().isa); }
-  void TearDown() override { force_isa(""); }
-
   RayOptions options(float radius, Sidedness sidedness = Sidedness::two_sided) const {
     return {.radius = radius, .sidedness = sidedness};
   }
 };
 
-INSTANTIATE_TEST_SUITE_P(Kernels, Levels, testing::ValuesIn(all_kernels()), [](const auto& choice) {
-  return choice.param.kernel == Kernel::scalar ? "definition" : choice.param.isa;
-});
+INSTANTIATE_TEST_SUITE_P(Kernels, Levels, testing::ValuesIn(tests::all_kernels()), tests::name_of_choice);
 
 // Neither a seam nor a double count where one range ends and the next begins.
 TEST_P(Levels, OfTheSameOccludersGiveTheBitsOfNone) {

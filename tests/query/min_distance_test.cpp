@@ -10,34 +10,19 @@
 #include "bvh/ray_parts.h"
 #include "lkao/lkao.h"
 #include "support/brute_force.h"
+#include "support/kernel_choice.h"
 #include "support/meshes.h"
 #include "support/receivers.h"
 
 namespace lkao {
 namespace {
 
-struct Choice {
-  Kernel kernel;
-  std::string isa;
-};
-
-std::vector<Choice> all_choices() {
-  std::vector<Choice> choices = {{Kernel::scalar, ""}};
-  for (const std::string& isa : available_isas()) choices.push_back({Kernel::simd, isa});
-  return choices;
-}
-
-class MinDistance : public testing::TestWithParam<Choice> {
+class MinDistance : public tests::OnEveryKernel {
  protected:
   static constexpr float kInfinity = std::numeric_limits<float>::infinity();
-
-  void SetUp() override { force_isa(GetParam().isa); }
-  void TearDown() override { force_isa(""); }
 };
 
-INSTANTIATE_TEST_SUITE_P(Kernels, MinDistance, testing::ValuesIn(all_choices()), [](const auto& choice) {
-  return choice.param.kernel == Kernel::scalar ? "definition" : choice.param.isa;
-});
+INSTANTIATE_TEST_SUITE_P(Kernels, MinDistance, testing::ValuesIn(tests::all_kernels()), tests::name_of_choice);
 
 TEST_P(MinDistance, IsALevelThatBeginsThere) {
   const OccluderBvh occluders(tests::random_soup(400, 0.3f, 301).view());

@@ -10,6 +10,7 @@
 
 #include "lkao/lkao.h"
 #include "support/brute_force.h"
+#include "support/kernel_choice.h"
 #include "support/meshes.h"
 #include "support/receivers.h"
 
@@ -18,28 +19,12 @@ namespace {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
-struct KernelChoice {
-  Kernel kernel;
-  std::string isa;
-};
-
-std::vector<KernelChoice> all_kernels() {
-  std::vector<KernelChoice> kernels = {{Kernel::scalar, ""}};
-  for (const std::string& isa : available_isas()) kernels.push_back({Kernel::simd, isa});
-  return kernels;
-}
-
-class Unbounded : public testing::TestWithParam<KernelChoice> {
+class Unbounded : public tests::OnEveryKernel {
  protected:
-  void SetUp() override { force_isa(GetParam().isa); }
-  void TearDown() override { force_isa(""); }
-
   RayOptions options(float radius = kInfinity) const { return {.radius = radius}; }
 };
 
-INSTANTIATE_TEST_SUITE_P(Kernels, Unbounded, testing::ValuesIn(all_kernels()), [](const auto& choice) {
-  return choice.param.kernel == Kernel::scalar ? "definition" : choice.param.isa;
-});
+INSTANTIATE_TEST_SUITE_P(Kernels, Unbounded, testing::ValuesIn(tests::all_kernels()), tests::name_of_choice);
 
 // Within the scene, at its rim, and so far away that it is a dot or less.
 std::vector<Receiver> near_and_far_receivers() {
