@@ -23,6 +23,7 @@
 #include <CLI/CLI.hpp>
 
 #include "bench/provenance.h"
+#include "examples/gl_objects.h"
 #include "image/image.h"
 #include "kinds.h"
 #include "renderer.h"
@@ -43,13 +44,8 @@ struct Options {
 // What the pixels' centres see, row by row from the bottom, as the pass numbers them.
 std::vector<lkao::Receiver> exact_receivers(const lkao::scene::Mesh& mesh, const lkao::scene::Camera& camera, int width,
                                             int height) {
-  const auto image = lkao::scene::find_receivers(mesh, camera, width, height);
-  std::vector<lkao::Receiver> receivers;
-  for (int row = height - 1; row >= 0; --row) {
-    const auto first = image.receivers.begin() + std::ptrdiff_t{row} * width;
-    receivers.insert(receivers.end(), first, first + width);
-  }
-  return receivers;
+  return examples::upside_down(lkao::scene::find_receivers(mesh, camera, width, height).receivers,
+                               static_cast<std::size_t>(width));
 }
 
 struct Comparison {
@@ -69,15 +65,12 @@ struct Comparison {
   double mean_error() const { return error_sum / pixel_count; }
 };
 
-void write_picture(const Options& options, const std::string& name, std::vector<float> occlusion) {
+void write_picture(const Options& options, const std::string& name, const std::vector<float>& occlusion) {
   if (options.output.empty()) return;
-  const auto width = static_cast<std::size_t>(options.width);
-  std::vector<float> from_top;
-  for (std::size_t row = occlusion.size() / width; row-- > 0;) {
-    const auto first = occlusion.begin() + static_cast<std::ptrdiff_t>(row * width);
-    from_top.insert(from_top.end(), first, first + options.width);
-  }
-  const lkao::image::Image image{options.width, options.height, {"occlusion"}, from_top};
+  const lkao::image::Image image{options.width,
+                                 options.height,
+                                 {"occlusion"},
+                                 examples::upside_down(occlusion, static_cast<std::size_t>(options.width))};
   lkao::image::write_image((std::filesystem::path(options.output) / (name + ".png")).string(),
                            lkao::image::visibility_preview(image));
 }

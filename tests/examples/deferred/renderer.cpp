@@ -9,8 +9,12 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/type_ptr.hpp>
 
+#include "examples/gl_objects.h"
+
 namespace deferred {
 namespace {
+
+using examples::make_texture;
 
 constexpr float kNear = 0.1f, kFar = 50;
 
@@ -54,34 +58,6 @@ struct Vertex {
   glm::vec3 position, normal;
 };
 
-GLuint compile(GLenum stage, const char* text) {
-  const GLuint shader = glCreateShader(stage);
-  glShaderSource(shader, 1, &text, nullptr);
-  glCompileShader(shader);
-  return shader;
-}
-
-GLuint link() {
-  const GLuint program = glCreateProgram();
-  for (const GLuint shader : {compile(GL_VERTEX_SHADER, kVertexShader), compile(GL_FRAGMENT_SHADER, kFragmentShader)}) {
-    glAttachShader(program, shader);
-    glDeleteShader(shader);
-  }
-  glLinkProgram(program);
-  GLint is_linked = GL_FALSE;
-  glGetProgramiv(program, GL_LINK_STATUS, &is_linked);
-  if (is_linked != GL_TRUE) throw std::runtime_error("the driver refuses a shader of the renderer");
-  return program;
-}
-
-GLuint make_texture(GLenum format, int width, int height) {
-  GLuint texture = 0;
-  glCreateTextures(GL_TEXTURE_2D, 1, &texture);
-  glTextureStorage2D(texture, 1, format, width, height);
-  glTextureParameteri(texture, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-  return texture;
-}
-
 // Each triangle with vertices of its own, as models with hard edges have them.
 std::vector<Vertex> separate_triangles(const lkao::scene::Mesh& mesh) {
   std::vector<Vertex> vertices;
@@ -124,7 +100,7 @@ Renderer::Renderer(const lkao::scene::Mesh& mesh, const lkao::scene::Camera& cam
     glVertexArrayAttribBinding(vertex_array_, attribute, 0);
     glEnableVertexArrayAttrib(vertex_array_, attribute);
   }
-  program_ = link();
+  program_ = examples::link(kVertexShader, kFragmentShader);
   glCreateFramebuffers(1, &framebuffer_);
   occlusion_ = make_texture(GL_R32F, width, height);
 }

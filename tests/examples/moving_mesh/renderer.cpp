@@ -10,8 +10,13 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/type_ptr.hpp>
 
+#include "examples/gl_objects.h"
+
 namespace moving_mesh {
 namespace {
+
+using examples::link;
+using examples::make_texture;
 
 constexpr const char* kMeshVertexShader = R"(#version 450 core
 layout(location = 0) uniform mat4 clip_from_world;
@@ -53,35 +58,6 @@ void main() {
   vec3 radiance = shows_something ? visibility * light * texelFetch(colors, pixel, 0).xyz : 0.8 * sky;
   picture = vec4(pow(radiance, vec3(1.0 / 2.2)), 1);
 })";
-
-GLuint compile(GLenum stage, const char* text) {
-  const GLuint shader = glCreateShader(stage);
-  glShaderSource(shader, 1, &text, nullptr);
-  glCompileShader(shader);
-  return shader;
-}
-
-GLuint link(const char* vertex_shader, const char* fragment_shader) {
-  const GLuint program = glCreateProgram();
-  for (const GLuint shader : {compile(GL_VERTEX_SHADER, vertex_shader), compile(GL_FRAGMENT_SHADER, fragment_shader)}) {
-    glAttachShader(program, shader);
-    glDeleteShader(shader);
-  }
-  glLinkProgram(program);
-  GLint is_linked = GL_FALSE;
-  glGetProgramiv(program, GL_LINK_STATUS, &is_linked);
-  if (is_linked != GL_TRUE) throw std::runtime_error("the driver refuses a shader of the renderer");
-  return program;
-}
-
-GLuint make_texture(GLenum format, int width, int height) {
-  GLuint texture = 0;
-  glCreateTextures(GL_TEXTURE_2D, 1, &texture);
-  glTextureStorage2D(texture, 1, format, width, height);
-  // Without mipmaps it would not be complete otherwise.
-  glTextureParameteri(texture, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-  return texture;
-}
 
 template <typename Value>
 GLuint make_buffer(std::span<const Value> values) {
@@ -195,16 +171,12 @@ void Renderer::shade() {
 }
 
 std::vector<std::uint8_t> Renderer::read_picture() const {
-  const std::size_t row_size = 3 * static_cast<std::size_t>(width_), row_count = static_cast<std::size_t>(height_);
-  std::vector<std::uint8_t> from_bottom(row_size * row_count), from_top;
+  const std::size_t row_size = 3 * static_cast<std::size_t>(width_);
+  std::vector<std::uint8_t> from_bottom(row_size * static_cast<std::size_t>(height_));
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
   glGetTextureImage(picture_, 0, GL_RGB, GL_UNSIGNED_BYTE, static_cast<GLsizei>(from_bottom.size()),
                     from_bottom.data());
-  for (std::size_t row = row_count; row-- > 0;) {
-    const auto first = from_bottom.begin() + static_cast<std::ptrdiff_t>(row * row_size);
-    from_top.insert(from_top.end(), first, first + static_cast<std::ptrdiff_t>(row_size));
-  }
-  return from_top;
+  return examples::upside_down(from_bottom, row_size);
 }
 
 std::vector<std::uint8_t> Renderer::read_occlusion() const {
