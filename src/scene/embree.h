@@ -46,55 +46,44 @@ struct RayQuery {
   RTCFilterFunctionN filter;
 };
 
-// `arguments` of RTCOccludedArguments or RTCIntersectArguments, just made.
+// RTCOccludedArguments or RTCIntersectArguments; `init` is Embree's own for them.
 template <typename Arguments>
-void fill_arguments(Arguments& arguments, RayQuery& query) {
+Arguments arguments_of(RayQuery& query, void (*init)(Arguments*)) {
+  Arguments arguments;
+  init(&arguments);
   arguments.flags = query.flags;
   arguments.context = &query.context;
   arguments.filter = query.filter;
-}
-
-inline RTCOccludedArguments occluded_arguments(RayQuery& query) {
-  RTCOccludedArguments arguments;
-  rtcInitOccludedArguments(&arguments);
-  fill_arguments(arguments, query);
-  return arguments;
-}
-
-inline RTCIntersectArguments intersect_arguments(RayQuery& query) {
-  RTCIntersectArguments arguments;
-  rtcInitIntersectArguments(&arguments);
-  fill_arguments(arguments, query);
   return arguments;
 }
 
 inline void intersect(RTCScene scene, RayQuery& query, RTCRayHit& ray) {
-  RTCIntersectArguments arguments = intersect_arguments(query);
+  auto arguments = arguments_of(query, rtcInitIntersectArguments);
   rtcIntersect1(scene, &ray, &arguments);
 }
 
 inline void intersect(RTCScene scene, RayQuery& query, const int* valid, RTCRayHit16& rays) {
-  RTCIntersectArguments arguments = intersect_arguments(query);
+  auto arguments = arguments_of(query, rtcInitIntersectArguments);
   rtcIntersect16(valid, scene, &rays, &arguments);
 }
 
 inline void find_blocked(RTCScene scene, RayQuery& query, RTCRay& ray) {
-  RTCOccludedArguments arguments = occluded_arguments(query);
+  auto arguments = arguments_of(query, rtcInitOccludedArguments);
   rtcOccluded1(scene, &ray, &arguments);
 }
 
 inline void find_blocked(RTCScene scene, RayQuery& query, const int* valid, RTCRay4& rays) {
-  RTCOccludedArguments arguments = occluded_arguments(query);
+  auto arguments = arguments_of(query, rtcInitOccludedArguments);
   rtcOccluded4(valid, scene, &rays, &arguments);
 }
 
 inline void find_blocked(RTCScene scene, RayQuery& query, const int* valid, RTCRay8& rays) {
-  RTCOccludedArguments arguments = occluded_arguments(query);
+  auto arguments = arguments_of(query, rtcInitOccludedArguments);
   rtcOccluded8(valid, scene, &rays, &arguments);
 }
 
 inline void find_blocked(RTCScene scene, RayQuery& query, const int* valid, RTCRay16& rays) {
-  RTCOccludedArguments arguments = occluded_arguments(query);
+  auto arguments = arguments_of(query, rtcInitOccludedArguments);
   rtcOccluded16(valid, scene, &rays, &arguments);
 }
 
