@@ -53,8 +53,7 @@ ObjectName geometric_normals_of(const GBuffer& g_buffer) {
 }
 
 void describe_errors(const GBuffer& g_buffer, ViewBlock& view) {
-  const ObjectName place = g_buffer.depth + g_buffer.linear_depth + g_buffer.positions;
-  const Steps steps = steps_of(place), normal_steps = steps_of(geometric_normals_of(g_buffer));
+  const Steps steps = steps_of(place_of(g_buffer)), normal_steps = steps_of(geometric_normals_of(g_buffer));
   view.place_step = steps.fixed;
   view.place_ulp = steps.relative;
   // Of each component, as wide as they are decoded.
@@ -96,7 +95,7 @@ ViewBlock make_view_block(const GBuffer& g_buffer, const Camera& camera) {
 }
 
 void bind(const GBuffer& g_buffer, const Sampler& plain_sampler) {
-  glBindTextureUnit(LKAO_UNIT_PLACE, g_buffer.depth + g_buffer.linear_depth + g_buffer.positions);
+  glBindTextureUnit(LKAO_UNIT_PLACE, place_of(g_buffer));
   glBindTextureUnit(LKAO_UNIT_NORMALS, g_buffer.normals);
   // Not without one: that would unbind textures of all targets.
   if (g_buffer.geometric_normals != 0) glBindTextureUnit(LKAO_UNIT_GEOMETRIC_NORMALS, g_buffer.geometric_normals);

@@ -10,6 +10,11 @@ namespace lkao::gl {
 // Throws std::invalid_argument naming the texture and its fault.
 void validate(const GBuffer& g_buffer);
 
+// The one texture that says where pixels lie. Requires validate().
+inline ObjectName place_of(const GBuffer& g_buffer) {
+  return g_buffer.depth + g_buffer.linear_depth + g_buffer.positions;
+}
+
 // What shaders need to know of camera and G-buffer. Requires validate(). Throws std::invalid_argument where the
 // camera's `view` is no rigid motion or its `projection` neither perspective nor orthographic.
 ViewBlock make_view_block(const GBuffer& g_buffer, const Camera& camera);

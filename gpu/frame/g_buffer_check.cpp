@@ -7,8 +7,10 @@
 #include <stdexcept>
 
 #include "gpu/frame/check_block.h"
+#include "gpu/frame/g_buffer.h"
 #include "gpu/frame/texture_checks.h"
 #include "gpu/gl/error.h"
+#include "lut/ray_options.h"
 
 namespace lkao::gl {
 namespace {
@@ -36,7 +38,7 @@ void require_hits(const Results& results, PositionSpace space) {
 }  // namespace
 
 GBufferCheck::Kind GBufferCheck::kind_of(const GBuffer& g_buffer) {
-  return {.place_format = format_of(g_buffer.depth + g_buffer.linear_depth + g_buffer.positions),
+  return {.place_format = format_of(place_of(g_buffer)),
           .normal_format = format_of(g_buffer.normals),
           .has_positions = g_buffer.positions != 0,
           .has_depth = g_buffer.depth != 0,
@@ -78,7 +80,7 @@ std::vector<std::string> GBufferCheck::remarks(const RayOptions& options) const 
                     largest_texel_));
   }
   const float radius = options.radius;
-  if (options.surface_offset == kAutomaticSurfaceOffset && std::isfinite(radius) && largest_error_ > radius / 16) {
+  if (lut::has_automatic_offset(options) && std::isfinite(radius) && largest_error_ > radius / 16) {
     remarks.push_back(
         fmt::format("{} may be off by {:.2g}, so receivers start that far off their surfaces, up to a quarter "
                     "of the AO radius of {:.2g}: contact is lost",

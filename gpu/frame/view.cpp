@@ -61,8 +61,7 @@ DepthMap depth_map_of(const glm::mat4& projection, bool has_perspective) {
 glm::vec4 sizes(const glm::dvec4& v) { return glm::vec4(glm::abs(v)); }
 
 // The length of the longest of the rays that go one unit along the view: it ends in a corner of the picture.
-double longest_ray_of(const glm::mat4& projection) {
-  const glm::dmat4 view_from_clip = glm::inverse(glm::dmat4(projection));
+double longest_ray_of(const glm::dmat4& view_from_clip) {
   double longest = 0;
   for (const double x : {-1.0, 1.0}) {
     for (const double y : {-1.0, 1.0}) {
@@ -74,13 +73,13 @@ double longest_ray_of(const glm::mat4& projection) {
   return longest;
 }
 
-void describe_errors(const Camera& camera, const DepthMap& depth, ViewBlock& block) {
+void describe_errors(const Camera& camera, const glm::dmat4& view_from_clip, const DepthMap& depth, ViewBlock& block) {
   const glm::dmat4 clip = clip_from_world(camera);
   block.clip_depth_size = sizes(row(clip, 2));
   block.clip_w_size = sizes(row(clip, 3));
   block.depth_offset = static_cast<float>(depth.offset);
   block.depth_slope = static_cast<float>(depth.slope);
-  block.longest_ray = block.is_perspective != 0 ? static_cast<float>(longest_ray_of(camera.projection)) : 1.0f;
+  block.longest_ray = block.is_perspective != 0 ? static_cast<float>(longest_ray_of(view_from_clip)) : 1.0f;
   GLint subpixel_bits = 0;
   glGetIntegerv(GL_SUBPIXEL_BITS, &subpixel_bits);
   // Half a step of the grid along both axes.
@@ -94,12 +93,13 @@ ViewBlock make_view_block(const Camera& camera, int width, int height) {
   const bool has_perspective = is_perspective(camera.projection);
   const DepthMap depth = depth_map_of(camera.projection, has_perspective);
   const glm::dmat4 view(camera.view), world_from_view = glm::inverse(view);
+  const glm::dmat4 view_from_clip = glm::inverse(glm::dmat4(camera.projection));
 
   ViewBlock block{};
   block.world_from_clip = glm::inverse(clip_from_world(camera));
   block.world_from_view = world_from_view;
   block.clip_from_view = camera.projection;
-  block.view_from_clip = glm::inverse(glm::dmat4(camera.projection));
+  block.view_from_clip = view_from_clip;
   block.view_from_world = camera.view;
   // The inverse of a rotation: its rows.
   for (int i = 0; i < 3; ++i) {
@@ -115,7 +115,7 @@ ViewBlock make_view_block(const Camera& camera, int width, int height) {
   const double x = 2.0 / (width * glm::length(glm::dvec3(row(camera.projection, 0)) * glm::dvec3(1, 1, 0)));
   const double y = 2.0 / (height * glm::length(glm::dvec3(row(camera.projection, 1)) * glm::dvec3(1, 1, 0)));
   block.pixel_size = static_cast<float>(std::fmax(x, y));
-  describe_errors(camera, depth, block);
+  describe_errors(camera, view_from_clip, depth, block);
   return block;
 }
 
