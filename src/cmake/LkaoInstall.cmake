@@ -22,11 +22,12 @@ function(lkao_install TARGET SET COMPONENT RUNTIME)
   install(FILES ${ARGN} DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/lkao" COMPONENT ${COMPONENT})
 endfunction()
 
-# lkao_install_pc(NAME COMPONENT DESCRIPTION LIBRARY REQUIRES PRIVATE_REQUIRES FLAGS): NAME.pc for pkg-config. What a
+# lkao_install_pc(NAME COMPONENT DESCRIPTION LIBRARY REQUIRES PRIVATE_REQUIRES): NAME.pc for pkg-config. What a
 # shared library needs for itself, its users need not have.
-function(lkao_install_pc NAME COMPONENT DESCRIPTION LIBRARY REQUIRES PRIVATE_REQUIRES FLAGS)
+function(lkao_install_pc NAME COMPONENT DESCRIPTION LIBRARY REQUIRES PRIVATE_REQUIRES)
+  set(flags "")
   if(BUILD_SHARED_LIBS)
-    string(APPEND FLAGS " -DLKAO_SHARED")
+    set(flags -DLKAO_SHARED)
   else()
     string(APPEND REQUIRES " ${PRIVATE_REQUIRES}")
   endif()
@@ -42,7 +43,7 @@ Name: @NAME@
 Description: @DESCRIPTION@
 Version: @PROJECT_VERSION@
 Requires: @REQUIRES@
-Cflags: -I${includedir} @FLAGS@
+Cflags: -I${includedir} @flags@
 Libs: -L${libdir} -l@LIBRARY@
 ]] @ONLY)
   install(FILES "${PROJECT_BINARY_DIR}/${NAME}.pc" DESTINATION "${lkao_pkg_config_dir}" COMPONENT ${COMPONENT})
@@ -58,15 +59,15 @@ endforeach()
 list(REMOVE_ITEM lkao_lut_headers ${lkao_cpu_headers} "${lkao_headers}/gl.h")
 
 lkao_install(lkao_lut lkaoLutTargets lkao_lut lkao_runtime ${lkao_lut_headers})
-lkao_install_pc(lkao-lut lkao_lut "Sample patterns and plane mask tables of ambient occlusion" lkao_lut glm libhwy "")
+lkao_install_pc(lkao-lut lkao_lut "Sample patterns and plane mask tables of ambient occlusion" lkao_lut glm libhwy)
 if(LKAO_BUILD_CPU)
   lkao_install(lkao lkaoTargets lkao_core lkao_runtime ${lkao_cpu_headers})
-  lkao_install_pc(lkao lkao_core "${PROJECT_DESCRIPTION}" lkao lkao-lut "tbb libhwy" "")
+  lkao_install_pc(lkao lkao_core "${PROJECT_DESCRIPTION}" lkao lkao-lut "tbb libhwy")
 endif()
 if(LKAO_BUILD_GL)
   lkao_install(lkao_gl lkaoGlTargets lkao_gl lkao_gl_runtime "${lkao_headers}/gl.h")
   install(DIRECTORY "${lkao_headers}/gl" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/lkao" COMPONENT lkao_gl)
-  lkao_install_pc(lkao-gl lkao_gl "${PROJECT_DESCRIPTION}, as an OpenGL pass" lkao_gl lkao-lut "epoxy egl" "")
+  lkao_install_pc(lkao-gl lkao_gl "${PROJECT_DESCRIPTION}, as an OpenGL pass" lkao_gl lkao-lut "epoxy egl")
 endif()
 
 configure_package_config_file("${CMAKE_CURRENT_LIST_DIR}/lkaoConfig.cmake.in" "${PROJECT_BINARY_DIR}/lkaoConfig.cmake"
