@@ -1,8 +1,11 @@
 // Where occlusion is written: every format and channel, as occlusion or visibility, and nothing beside it.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <initializer_list>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -128,8 +131,8 @@ TEST_F(OcclusionTargets, ThatCannotBeAreRefused) {
       EXPECT_STREQ(error.what(), bad.line);
     }
   }
-  for (const GLenum format : {GL_RGB8, GL_R8UI, GL_R8_SNORM}) {
-    const Texture image = make_image(static_cast<GLenum>(format), kWidth, kHeight);
+  for (const GLenum format : std::initializer_list<GLenum>{GL_RGB8, GL_R8UI, GL_R8_SNORM}) {
+    const Texture image = make_image(format, kWidth, kHeight);
     EXPECT_THROW(pass_->resolve({.occlusion = {image.name()}}), std::invalid_argument);
   }
 }
