@@ -19,3 +19,4 @@
 #include "lkao/gl/mask_pass.h"
 #include "lkao/gl/occluders.h"
 #include "lkao/gl/status.h"
+#include "lkao/gl/volume_pass.h"

@@ -1,0 +1,6 @@
+// What goes from a volume to its fragments: VARYING is `out` or `in`.
+VARYING VolumeShape {
+  flat vec3 a, b, c;
+  flat vec3 normal;
+  flat float opacity;
+} shape;
