@@ -9,6 +9,7 @@
 #include "gpu/volumes/falloff.glsl"
 #include "gpu/volumes/form_factor.glsl"
 #include "gpu/volumes/units.h"
+#include "gpu/volumes/volume_pass_block.h"
 
 layout(binding = LKAO_UNIT_ORIGINS) uniform sampler2D origins;
 layout(binding = LKAO_UNIT_AXES) uniform sampler2D axes;
@@ -34,6 +35,14 @@ layout(binding = 0, offset = 20) uniform atomic_uint blended_carry;
 #define COUNT(low, high)
 #endif
 
+bool is_left(vec3 from, vec3 to, vec3 point) { return dot(cross(to - from, point - from), shape.normal) >= 0.0; }
+
+// Where corners are clamped the volume ends before the falloff does, and only its far side is drawn.
+bool is_over_base(vec3 point) {
+  return is_left(shape.base_a, shape.base_b, point) && is_left(shape.base_b, shape.base_c, point) &&
+         is_left(shape.base_c, shape.base_a, point);
+}
+
 void main() {
   COUNT(drawn_count, drawn_carry);
   ivec2 pixel = ivec2(gl_FragCoord.xy);
@@ -51,7 +60,7 @@ void main() {
   }
   if (height <= 0.0) discard;
   float g = shape.opacity * falloff(a, b, c, normal, ao_radius());
-  if (g <= 0.0) discard;
+  if (g <= 0.0 || (pass.clamps_extensions != 0 && !is_over_base(receiver))) discard;
   COUNT(inside_count, inside_carry);
   vec4 axis = texelFetch(axes, pixel, 0);
   Polygon polygon = above(triangle_of(a, b, c), axis.xyz);

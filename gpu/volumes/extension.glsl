@@ -2,9 +2,9 @@
 //
 // Based on: M. McGuire, "Ambient Occlusion Volumes", HPG 2010, Eqs. 9 to 13 and Sec. 5.1.
 
-// e_i of Eq. 12, found by the geometry that it solves: along the bisector to where both planes at `delta` outside of the
-// edges meet, that is delta / sin(half the angle at the corner). "Clamp all ||e_i|| to at most 2 delta": `clamps`, which
-// takes something from every corner sharper than 60 degrees.
+// e_i of Eq. 12, found by the geometry that it solves: along the bisector to where both planes at `delta` outside of
+// the edges meet, that is delta / sin(half the angle at the corner). "Clamp all ||e_i|| to at most 2 delta": `clamps`,
+// which takes something from every corner sharper than 60 degrees.
 vec3 extension(vec3 previous, vec3 corner, vec3 next, vec3 normal, float delta, bool clamps) {
   vec3 in_edge = normalize(corner - previous), out_edge = normalize(next - corner);
   vec3 in_normal = cross(in_edge, normal), out_normal = cross(out_edge, normal);

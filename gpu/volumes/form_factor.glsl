@@ -1,10 +1,10 @@
 // How much of the light from an even sky a polygon blocks: exact, in closed form.
 //
-// Based on: M. McGuire, "Ambient Occlusion Volumes", HPG 2010, Eq. 4, after D. Baum, H. Rushmeier, J. Winget, "Improving
-// Radiosity Solutions Through the Use of Analytically Determined Form-Factors", SIGGRAPH 1989.
+// Based on: M. McGuire, "Ambient Occlusion Volumes", HPG 2010, Eq. 4, after D. Baum, H. Rushmeier, J. Winget,
+// "Improving Radiosity Solutions Through the Use of Analytically Determined Form-Factors", SIGGRAPH 1989.
 //
-// Differs from the paper: angles are atan(|p x q|, p . q) instead of the arc cosine, which has no digits where a polygon
-// is small or far away; and the polygon may be cut by the horizon of the geometric normal too.
+// Differs from the paper: angles are atan(|p x q|, p . q) instead of the arc cosine, which has no digits where a
+// polygon is small or far away; and the polygon may be cut by the horizon of the geometric normal too.
 
 // A triangle that two planes have cut.
 struct Polygon {

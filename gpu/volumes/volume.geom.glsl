@@ -17,7 +17,7 @@ void main() {
   for (int i = 0; i < LKAO_VOLUME_VERTEX_COUNT; ++i) vertices[i] = volume_vertex(v, i);
   for (int i = 0; i < 14; ++i) {
     gl_Position = vertices[kStrips[i]];
-    pass_on(o);
+    pass_on(o, v);
     EmitVertex();
     if (i == 2 || i == 5) EndPrimitive();
   }

@@ -4,8 +4,9 @@
 // Based on: M. McGuire, "Ambient Occlusion Volumes", HPG 2010, Sec. 5.2 and Figure 6.
 //
 // Differs from the paper: the far side of the volume is drawn with an inverted depth test, instead of the near side or,
-// where the camera is inside, a rectangle over the whole screen (step 4.iii); nothing changes but the fragments that see
-// no receiver inside. Volumes of two-sided triangles reach as far behind them as before them.
+// where the camera is inside, a rectangle over the whole screen (step 4.iii). Both let receivers through that are not
+// inside; the falloff drops them, and where corners are clamped, the fragment's own test: or the view would tell who has
+// what falloff is left there. Volumes of two-sided triangles reach as far behind them as before them.
 #include "gpu/mesh/occluder.glsl"
 #include "gpu/volumes/extension.glsl"
 #include "gpu/volumes/units.h"
@@ -42,8 +43,8 @@ Volume make_volume(Occluder o, uint triangle) {
 // Vertex 0 to 5: the lower end, counter-clockwise about the normal, then the upper one.
 vec4 volume_vertex(Volume v, int vertex) {
   vec3 place = v.base[vertex % 3] + v.normal * (vertex < 3 ? v.heights.x : v.heights.y);
-  // Where the volume comes close to the plane of the eye, or behind it, interpolated depths mean nothing: then all of it
-  // is as far as its farthest point.
+  // Where the volume comes close to the plane of the eye, or behind it, interpolated depths mean nothing: then all of
+  // it is as far as its farthest point.
   bool is_flat = is_perspective() && v.depths.x < 1e-3 * v.depths.y;
   return is_flat ? to_clip_at(place, v.depths.y) : to_clip(place);
 }

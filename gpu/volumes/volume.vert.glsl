@@ -12,6 +12,7 @@ void main() {
     return;
   }
   Occluder o = fetch_occluder(triangle);
-  gl_Position = volume_vertex(make_volume(o, triangle), vertex);
-  pass_on(o);
+  Volume v = make_volume(o, triangle);
+  gl_Position = volume_vertex(v, vertex);
+  pass_on(o, v);
 }
