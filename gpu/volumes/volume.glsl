@@ -5,8 +5,8 @@
 //
 // Differs from the paper: the far side of the volume is drawn with an inverted depth test, instead of the near side or,
 // where the camera is inside, a rectangle over the whole screen (step 4.iii). Both let receivers through that are not
-// inside; the falloff drops them, and where corners are clamped, the fragment's own test: or the view would tell who has
-// what falloff is left there. Volumes of two-sided triangles reach as far behind them as before them.
+// inside; the falloff drops them, and where corners are clamped, the fragment's own test: or the view would tell who
+// has what falloff is left there. Volumes of two-sided triangles reach as far behind them as before them.
 #include "gpu/mesh/occluder.glsl"
 #include "gpu/volumes/extension.glsl"
 #include "gpu/volumes/units.h"

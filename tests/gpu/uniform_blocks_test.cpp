@@ -10,6 +10,7 @@
 #include "gpu/mesh/shapes_block.h"
 #include "gpu/on_software.h"
 #include "gpu/screen/filter_block.h"
+#include "gpu/volumes/volume_pass_block.h"
 
 namespace lkao::gl::tests {
 namespace {
@@ -58,6 +59,15 @@ TEST_F(UniformBlocks, AreLaidOutAlike) {
   LKAO_EXPECT_OFFSET(resolve, MaskPassBlock, ray_count);
   LKAO_EXPECT_OFFSET(resolve, MaskPassBlock, jitter_tilt);
   LKAO_EXPECT_OFFSET(resolve, MaskPassBlock, background);
+
+  const ProgramObject classify = make_program({"mesh/classify.comp"});
+  LKAO_EXPECT_OFFSET(classify, ShapesBlock, reach);
+  LKAO_EXPECT_OFFSET(classify, ShapesBlock, has_opacities);
+
+  const ProgramObject volumes = make_program({"volumes/resolve.comp"});
+  EXPECT_EQ(size_of(volumes, "VolumePassBlock"), static_cast<GLint>(sizeof(VolumePassBlock)));
+  LKAO_EXPECT_OFFSET(volumes, VolumePassBlock, compensation);
+  LKAO_EXPECT_OFFSET(volumes, VolumePassBlock, background);
 
   const ProgramObject filter = make_program({"screen/bilateral.comp"});
   EXPECT_EQ(size_of(filter, "FilterBlock"), static_cast<GLint>(sizeof(FilterBlock)));
