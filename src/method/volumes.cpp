@@ -1,14 +1,13 @@
 // Ambient occlusion volumes (McGuire 2010): no rays, a sum over the triangles near each pixel, drawn by OpenGL.
+#include <algorithm>
 #include <vector>
 
-#include <epoxy/gl.h>
 #include <fmt/format.h>
 
 #include "method/frame.h"
 #include "method/gl_device.h"
 #include "method/kinds.h"
-#include "raster/camera.h"
-#include "raster/view_textures.h"
+#include "raster/volume_rasterizer.h"
 
 namespace lkao::method {
 namespace {
@@ -82,108 +81,95 @@ Abilities abilities(const Settings&) {
 class VolumesMethod : public Method {
  public:
   explicit VolumesMethod(const Settings& settings)
-      : Method(method::abilities(settings)), settings_(settings), context_(prepare_device(settings)) {
-    context_.make_current();
+      : Method(method::abilities(settings)), settings_(settings), rasterizer_(prepare_device(settings)) {
     options_.clamps_extensions = settings_.value(clamp_setting(), kClampWords);
     if (settings_.value(compensation_setting(), kCompensationWords)) options_.compensation = gl::kFittedCompensation;
   }
 
-  std::string device() const override { return device_text(context_); }
+  std::string device() const override { return device_text(rasterizer_.context()); }
 
   void require_size(int width, int height) const override { raster::require_texture_size(width, height); }
 
   void prepare(const Task& task) override {
     const Stopwatch watch;
     const View& view = task.view.value();
-    pass_.reset();
-    occluders_.reset();
-    textures_.reset();
-    textures_.emplace(view.image);
-    camera_ = raster::gl_camera(view.camera, view.image.width, view.image.height);
-    const scene::Mesh& mesh = task.occluders.mesh();
-    occluders_.emplace(mesh.positions, mesh.triangles);
-    const auto opacity = static_cast<float>(settings_.number(opacity_setting()));
-    if (opacity < 1) occluders_->set_opacities(std::vector<float>(mesh.triangles.size(), opacity));
-    start_pass(true);
+    rasterizer_.set_view(view.camera, view.image);
+    rasterizer_.set_occluders(task.occluders.mesh(), static_cast<float>(settings_.number(opacity_setting())));
     rays_ = task.question.ray_options();
     rays_.radius *= static_cast<float>(settings_.number(delta_setting()));
-    // The textures have the receivers as they are: they start where the query's do.
-    rays_.surface_offset = kQuerySurfaceOffset;
-    draw();
-    fragments_ = pass_->read_fragment_counts();
+    start_pass(true);
+    rasterizer_.draw(rays_, options_);
+    fragments_ = rasterizer_.pass().read_fragment_counts();
     start_pass(false);
-    draw();  // what a driver leaves to the first frame is done
+    warm_up();
     setup_seconds_ = watch.seconds();
+    geometry_ = word_of(kGeometryWords, rasterizer_.pass().geometry());
   }
 
   Answered answer(std::span<const Receiver>, const QueryOutputs& outputs, std::uint64_t) override {
-    times_ = draw_repeatedly([&] { return draw(); });
-    const std::vector<float> occlusion = textures_->read_occlusion();
+    times_ = draw_repeatedly([&] { return rasterizer_.draw(rays_, options_); });
+    const std::vector<float> occlusion = rasterizer_.read_occlusion();
     copy_frame(occlusion, outputs.occlusion);
-    QueryReport report = count_receivers(occlusion, 0);
+    const QueryReport report = count_receivers(occlusion, 0);
     receiver_count_ = report.receiver_count - report.invalid_receiver_count;
     return {report, times_.seconds};
   }
 
   Remarks remarks() const override {
+    const gl::HeadlessContext& context = rasterizer_.context();
     const double milliseconds = 1000 * times_.seconds;
-    const std::string_view geometry = word_of(kGeometryWords, pass_->geometry());
-    const double fill =
-        static_cast<double>(fragments_.drawn) / static_cast<double>(std::max<std::size_t>(1, receiver_count_));
-
-    nlohmann::ordered_json gl = device_keys(context_);
-    gl["geometry"] = geometry;
+    nlohmann::ordered_json gl = device_keys(context);
+    gl["geometry"] = geometry_;
     gl["setup_seconds"] = setup_seconds_;
     gl["draw_milliseconds"] = milliseconds;
     gl["draw_count"] = times_.frame_count;
-    nlohmann::ordered_json volumes{{"delta", rays_.radius},
-                                   {"opacity", settings_.number(opacity_setting())},
-                                   {"fragments", fragments_.drawn},
-                                   {"fragments_inside", fragments_.inside},
-                                   {"fragments_blended", fragments_.blended}};
-    for (const Setting* setting :
-         {&clamp_setting(), &accessibility_setting(), &compensation_setting(), &volumes_setting()}) {
-      volumes[setting->name] = settings_.text(*setting);
-    }
+    const double fill =
+        static_cast<double>(fragments_.drawn) / static_cast<double>(std::max<std::size_t>(1, receiver_count_));
     const std::string draws = times_.frame_count == 1 ? "drawn once" : fmt::format("median of {}", times_.frame_count);
-    return {.keys = {{"volumes", volumes}, {"gl", gl}},
-            .rows = {{"OpenGL", fmt::format("{}{}, {}", context_.renderer(), context_.is_software() ? ", software" : "",
-                                            geometry)},
+    return {.keys = {{"volumes", volume_keys()}, {"gl", gl}},
+            .rows = {{"OpenGL", fmt::format("{}{}, {}", context.renderer(), context.is_software() ? ", software" : "",
+                                            geometry_)},
                      {"frame", fmt::format("{:.2f} ms, {}; {:.3f} s to set up", milliseconds, draws, setup_seconds_)},
                      {"volumes", fmt::format("delta {:g}, {:.1f} fragments a receiver", rays_.radius, fill)}}};
   }
 
  private:
   void start_pass(bool counts) {
-    pass_.reset();
-    pass_.emplace(
-        gl::VolumePassSetup{.geometry = settings_.value(geometry_setting(), kGeometryWords),
+    rasterizer_.start_pass({.geometry = settings_.value(geometry_setting(), kGeometryWords),
                             .accessibility = settings_.value(accessibility_setting(), kAccessibilityWords),
                             .keeps_volumes = settings_.value(volumes_setting(), kVolumesWords) == Volumes::kept,
                             .count_fragments = counts});
   }
 
-  // Its seconds.
-  double draw() {
-    const gl::OcclusionTarget to = textures_->targets(false).occlusion;
-    glFinish();
-    const Stopwatch watch;
-    pass_->draw(*occluders_, textures_->g_buffer(), camera_, rays_, to, options_);
-    glFinish();
-    return watch.seconds();
+  // What a driver leaves to the first frame, such as compiling shaders, and volumes that are kept; with next to nothing
+  // to draw where none are.
+  void warm_up() {
+    RayOptions rays = rays_;
+    if (settings_.value(volumes_setting(), kVolumesWords) == Volumes::every_frame) rays.radius *= 1e-4f;
+    rasterizer_.draw(rays, options_);
+  }
+
+  nlohmann::ordered_json volume_keys() const {
+    nlohmann::ordered_json keys{{"delta", rays_.radius},
+                                {"opacity", settings_.number(opacity_setting())},
+                                {"fragments", fragments_.drawn},
+                                {"fragments_inside", fragments_.inside},
+                                {"fragments_blended", fragments_.blended}};
+    for (const Setting* setting :
+         {&clamp_setting(), &accessibility_setting(), &compensation_setting(), &volumes_setting()}) {
+      keys[setting->name] = settings_.text(*setting);
+    }
+    return keys;
   }
 
   Settings settings_;
-  gl::HeadlessContext context_;  // before what is in it
+  raster::VolumeRasterizer rasterizer_;
   gl::VolumeOptions options_;
-  gl::Camera camera_;
-  std::optional<raster::ViewTextures> textures_;
-  std::optional<gl::Occluders> occluders_;
-  std::optional<gl::VolumePass> pass_;
   RayOptions rays_ = {.radius = 1};
   gl::VolumeFragments fragments_;
   std::size_t receiver_count_ = 0;
   double setup_seconds_ = 0;  // mesh, shaders, and the frame whose fragments are counted
+  std::string_view geometry_;
   FrameTimes times_;
 };
 
