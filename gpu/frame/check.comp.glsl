@@ -30,7 +30,7 @@ void main() {
   atomicMax(results.largest_error_bits, floatBitsToUint(error_along(normal, in_world, largest)));
   if (view.place != LKAO_PLACE_POSITION) return;
 
-  vec3 texel = texelFetch(place, pixel, 0).xyz, errors = texel_error(texel);
+  vec3 texel = texelFetch(place, texel_of(pixel), 0).xyz, errors = texel_error(texel);
   float size = length(errors);
   atomicMax(results.largest_texel_bits, floatBitsToUint(max(errors.x, max(errors.y, errors.z))));
   vec3 other = view.has_view_space_positions != 0 ? (view.view_from_world * vec4(texel, 1.0)).xyz : texel;

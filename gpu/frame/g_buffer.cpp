@@ -12,6 +12,7 @@
 #include "gpu/frame/units.h"
 #include "gpu/frame/view.h"
 #include "lut/coordinates.h"
+#include "lut/ray_options.h"
 
 namespace lkao::gl {
 
@@ -21,17 +22,19 @@ void validate(const GBuffer& g_buffer) {
   GLint largest = 0;
   glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
   const int width = g_buffer.width, height = g_buffer.height;
+  const Room room{width, height, g_buffer.part};
   if (width < 1 || height < 1 || width > largest || height > largest) {
     throw std::invalid_argument(
         fmt::format("the G-buffer's size must be from 1x1 to {0}x{0}, not {1}x{2}", largest, width, height));
   }
+  lut::require(g_buffer.step >= 1 && g_buffer.step <= 16, "step", "from 1 to 16", g_buffer.step);
   const int place_count = (g_buffer.depth != 0) + (g_buffer.linear_depth != 0) + (g_buffer.positions != 0);
   if (place_count != 1) {
     throw std::invalid_argument(
         fmt::format("exactly one of depth, linear_depth and positions must be given, not {}", place_count));
   }
   const auto require = [&](const char* name, ObjectName texture, int component_count, Use use) {
-    require_readable(name, texture, width, height, component_count, use);
+    require_readable(name, texture, room, component_count, use);
   };
   if (g_buffer.depth != 0) require("depth", g_buffer.depth, 1, Use::depth);
   if (g_buffer.linear_depth != 0) require("linear_depth", g_buffer.linear_depth, 1, Use::distance);
@@ -76,7 +79,11 @@ void describe_errors(const GBuffer& g_buffer, ViewBlock& view) {
 }  // namespace
 
 ViewBlock make_view_block(const GBuffer& g_buffer, const Camera& camera) {
-  ViewBlock view = make_view_block(camera, g_buffer.width, g_buffer.height);
+  ViewBlock view = make_view_block(camera, pixels_of(g_buffer));
+  const Part first = g_buffer.part.value_or(Part{});
+  view.first_x = first.x;
+  view.first_y = first.y;
+  view.step = g_buffer.step;
   view.place = g_buffer.depth != 0          ? LKAO_PLACE_DEPTH
                : g_buffer.linear_depth != 0 ? LKAO_PLACE_LINEAR_DEPTH
                                             : LKAO_PLACE_POSITION;

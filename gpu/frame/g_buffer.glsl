@@ -25,6 +25,9 @@ vec3 from_place(vec3 position) {
 }
 #endif
 
+// Where the G-buffer has the pixel.
+ivec2 texel_of(ivec2 pixel) { return ivec2(view.first_x, view.first_y) + view.step * pixel; }
+
 // Of each pixel of the ray through its centre: a point of the ray, at a depth in clip space.
 real3 unproject(ivec2 pixel, real depth) {
   real2 place_on_screen = (real2(pixel) + real(0.5)) * real(2) / real2(view.width, view.height) - real(1);
@@ -34,7 +37,7 @@ real3 unproject(ivec2 pixel, real depth) {
 
 // False where the pixel shows nothing. The position may still not be finite.
 bool find_position(ivec2 pixel, out vec3 position) {
-  vec4 texel = texelFetch(place, pixel, 0);
+  vec4 texel = texelFetch(place, texel_of(pixel), 0);
   if (view.place == LKAO_PLACE_POSITION) {
     position = from_place(texel.xyz);
     return true;
@@ -89,13 +92,13 @@ real3 turn_normal(vec3 normal) {
 
 // Of any length; zero where the pixel has none.
 real3 read_normal(ivec2 pixel) {
-  return turn_normal(decode_normal(texelFetch(normals, pixel, 0), view.has_unorm_normals));
+  return turn_normal(decode_normal(texelFetch(normals, texel_of(pixel), 0), view.has_unorm_normals));
 }
 
 // The shading normal where there is none of its own.
 real3 read_geometric_normal(ivec2 pixel) {
   if (view.has_geometric_normals != 0) {
-    vec3 own = decode_normal(texelFetch(geometric_normals, pixel, 0), view.has_unorm_geometric_normals);
+    vec3 own = decode_normal(texelFetch(geometric_normals, texel_of(pixel), 0), view.has_unorm_geometric_normals);
     if (own != vec3(0)) return turn_normal(own);
   }
   return read_normal(pixel);

@@ -40,10 +40,12 @@ void require_hits(const Results& results, PositionSpace space) {
 GBufferCheck::Kind GBufferCheck::kind_of(const GBuffer& g_buffer) {
   return {.place_format = format_of(place_of(g_buffer)),
           .normal_format = format_of(g_buffer.normals),
+          .geometric_normal_format = g_buffer.geometric_normals != 0 ? format_of(g_buffer.geometric_normals) : 0,
           .has_positions = g_buffer.positions != 0,
           .has_depth = g_buffer.depth != 0,
           .position_space = g_buffer.position_space,
-          .normal_space = g_buffer.normal_space};
+          .normal_space = g_buffer.normal_space,
+          .normal_encoding = g_buffer.normal_encoding};
 }
 
 void GBufferCheck::look_at(const GBuffer& g_buffer) {

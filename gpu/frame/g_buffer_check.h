@@ -25,10 +25,11 @@ class GBufferCheck {
 
  private:
   struct Kind {
-    unsigned place_format = 0, normal_format = 0;
+    unsigned place_format = 0, normal_format = 0, geometric_normal_format = 0;
     bool has_positions = false, has_depth = false;
     PositionSpace position_space = PositionSpace::world;
     NormalSpace normal_space = NormalSpace::world;
+    NormalEncoding normal_encoding = NormalEncoding::xyz;
     bool operator==(const Kind&) const = default;
   };
   static Kind kind_of(const GBuffer& g_buffer);

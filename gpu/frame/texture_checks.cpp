@@ -1,6 +1,7 @@
 #include "gpu/frame/texture_checks.h"
 
 #include <cmath>
+#include <cstdint>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -45,9 +46,24 @@ const char* why_useless(ObjectName texture, Use use) {
   }
 }
 
+void require_room(const char* name, const Room& room, int width, int height) {
+  if (!room.part) {
+    if (width == room.width && height == room.height) return;
+    throw std::invalid_argument(
+        fmt::format("{} must be of {}x{} pixels, not {}x{}", name, room.width, room.height, width, height));
+  }
+  const Part& part = *room.part;
+  // In 64 bits: a part may begin anywhere.
+  const bool fits = part.x >= 0 && part.y >= 0 && std::int64_t{part.x} + room.width <= width &&
+                    std::int64_t{part.y} + room.height <= height;
+  if (fits) return;
+  throw std::invalid_argument(fmt::format("{} of {}x{} pixels has no part of {}x{} at ({}, {})", name, width, height,
+                                          room.width, room.height, part.x, part.y));
+}
+
 }  // namespace
 
-void require_size(const char* name, ObjectName texture, int width, int height) {
+void require_size(const char* name, ObjectName texture, const Room& room) {
   if (texture == 0) throw std::invalid_argument(fmt::format("{} is not set", name));
   if (glIsTexture(texture) != GL_TRUE) {
     throw std::invalid_argument(
@@ -62,18 +78,14 @@ void require_size(const char* name, ObjectName texture, int width, int height) {
   }
   const GLint has_width = level_parameter(texture, GL_TEXTURE_WIDTH);
   const GLint has_height = level_parameter(texture, GL_TEXTURE_HEIGHT);
-  if (has_width != width || has_height != height) {
-    throw std::invalid_argument(
-        fmt::format("{} must be of {}x{} pixels, not {}x{}", name, width, height, has_width, has_height));
-  }
+  require_room(name, room, has_width, has_height);
 }
 
-void require_readable(const char* name, ObjectName texture, int width, int height, int component_count, Use use) {
-  require_size(name, texture, width, height);
+void require_readable(const char* name, ObjectName texture, const Room& room, int component_count, Use use) {
+  require_size(name, texture, room);
   const GLint red = level_parameter(texture, GL_TEXTURE_RED_TYPE);
   const bool is_depth = level_parameter(texture, GL_TEXTURE_DEPTH_TYPE) != GL_NONE;
-  const GLenum last = component_count >= 3 ? GL_TEXTURE_BLUE_TYPE : GL_TEXTURE_GREEN_TYPE;
-  const bool has_all = component_count == 1 || level_parameter(texture, last) != GL_NONE;
+  const bool has_all = component_count == 1 || has_component(texture, component_count - 1);
   if (is_integer(red) || (red == GL_NONE && !is_depth) || !has_all) {
     throw std::invalid_argument(fmt::format("{} must have {} float or normalised components, not the format {}", name,
                                             component_count, format_name(format_of(texture))));
@@ -105,6 +117,11 @@ Steps steps_of(ObjectName texture) {
   // Floats; of fewer bits the smallest are all as far from each other.
   if (bits >= 32) return {0, 0x1p-23f};
   return {0x1p-24f, 0x1p-10f};
+}
+
+bool has_component(ObjectName texture, int i) {
+  constexpr GLenum kTypes[] = {GL_TEXTURE_RED_TYPE, GL_TEXTURE_GREEN_TYPE, GL_TEXTURE_BLUE_TYPE, GL_TEXTURE_ALPHA_TYPE};
+  return level_parameter(texture, kTypes[i]) != GL_NONE;
 }
 
 bool is_unorm(ObjectName texture) { return level_parameter(texture, GL_TEXTURE_RED_TYPE) == GL_UNSIGNED_NORMALIZED; }

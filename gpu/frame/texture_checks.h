@@ -5,19 +5,26 @@
 #include <epoxy/gl.h>
 
 #include <initializer_list>
+#include <optional>
 
 #include "lkao/gl/frame.h"
 
 namespace lkao::gl {
 
-// A GL_TEXTURE_2D of that size.
-void require_size(const char* name, ObjectName texture, int width, int height);
+// Pixels that a texture must have: just these, or at least these from `part` on.
+struct Room {
+  int width, height;
+  std::optional<Part> part = {};
+};
+
+// A GL_TEXTURE_2D with that room.
+void require_size(const char* name, ObjectName texture, const Room& room);
 
 // What shaders read from a texture, as floats.
 enum class Use { value, depth, distance, position, normal };
 
-// One of that size with at least so many components, in a format that can hold what is read.
-void require_readable(const char* name, ObjectName texture, int width, int height, int component_count, Use use);
+// One with that room and at least so many components, in a format that can hold what is read.
+void require_readable(const char* name, ObjectName texture, const Room& room, int component_count, Use use);
 
 // One of these internal formats; `known` is how the message says them.
 void require_format(const char* name, ObjectName texture, const char* known, std::initializer_list<GLenum> formats);
@@ -31,6 +38,9 @@ struct Steps {
   float fixed = 0, relative = 0;
 };
 Steps steps_of(ObjectName texture);
+
+// Component 0 is red, 3 alpha.
+bool has_component(ObjectName texture, int i);
 
 // Unsigned and normalised, so that shaders see 0 to 1.
 bool is_unorm(ObjectName texture);

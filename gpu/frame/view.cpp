@@ -48,6 +48,9 @@ bool is_perspective(const glm::mat4& projection) {
   return has_perspective;
 }
 
+// Pixels 0, step, 2 step ... of so many.
+int answered_count(int size, int step) { return (size - 1) / step + 1; }
+
 // Normalised device depth = z[0] + z[1] along for orthographic, z[0] + z[1] / along for perspective cameras.
 struct DepthMap {
   double offset, slope;
@@ -73,8 +76,24 @@ double longest_ray_of(const glm::dmat4& view_from_clip) {
   return longest;
 }
 
-void describe_errors(const Camera& camera, const glm::dmat4& view_from_clip, const DepthMap& depth, ViewBlock& block) {
-  const glm::dmat4 clip = clip_from_world(camera);
+// From the clip space of the whole screen to that of the answered pixels. Pixel i stands for pixel step i, so its place
+// i + 1/2 is where the whole screen has step i + 1/2.
+glm::dmat4 answered_from_clip(const Pixels& pixels) {
+  glm::dmat4 map(1);
+  if (pixels.step == 1) return map;
+  const int sizes[] = {pixels.width, pixels.height};
+  for (int axis = 0; axis < 2; ++axis) {
+    const double step = pixels.step, size = sizes[axis], answered = answered_count(sizes[axis], pixels.step);
+    const double scale = size / (step * answered);
+    map[axis][axis] = scale;
+    map[3][axis] = scale + (1 - 1 / step) / answered - 1;
+  }
+  return map;
+}
+
+void describe_errors(const Camera& camera, const glm::dmat4& view_from_clip, const DepthMap& depth, int step,
+                     ViewBlock& block) {
+  const glm::dmat4 clip = glm::dmat4(camera.projection) * glm::dmat4(camera.view);
   block.clip_depth_size = sizes(row(clip, 2));
   block.clip_w_size = sizes(row(clip, 3));
   block.depth_offset = static_cast<float>(depth.offset);
@@ -82,23 +101,25 @@ void describe_errors(const Camera& camera, const glm::dmat4& view_from_clip, con
   block.longest_ray = block.is_perspective != 0 ? static_cast<float>(longest_ray_of(view_from_clip)) : 1.0f;
   GLint subpixel_bits = 0;
   glGetIntegerv(GL_SUBPIXEL_BITS, &subpixel_bits);
-  // Half a step of the grid along both axes.
-  block.pixel_step = block.pixel_size * std::ldexp(std::numbers::sqrt2_v<float>, -subpixel_bits - 1);
+  // Half a step of the grid along both axes, in pixels of the G-buffer.
+  const float half_step = std::ldexp(std::numbers::sqrt2_v<float>, -subpixel_bits - 1);
+  block.pixel_step = block.pixel_size / static_cast<float>(step) * half_step;
 }
 
 }  // namespace
 
-ViewBlock make_view_block(const Camera& camera, int width, int height) {
+ViewBlock make_view_block(const Camera& camera, const Pixels& pixels) {
   require_rigid(camera.view);
   const bool has_perspective = is_perspective(camera.projection);
   const DepthMap depth = depth_map_of(camera.projection, has_perspective);
   const glm::dmat4 view(camera.view), world_from_view = glm::inverse(view);
-  const glm::dmat4 view_from_clip = glm::inverse(glm::dmat4(camera.projection));
+  const glm::dmat4 clip_from_view = answered_from_clip(pixels) * glm::dmat4(camera.projection);
+  const glm::dmat4 view_from_clip = glm::inverse(clip_from_view);
 
   ViewBlock block{};
-  block.world_from_clip = glm::inverse(clip_from_world(camera));
+  block.world_from_clip = glm::inverse(clip_from_world(camera, pixels));
   block.world_from_view = world_from_view;
-  block.clip_from_view = camera.projection;
+  block.clip_from_view = clip_from_view;
   block.view_from_clip = view_from_clip;
   block.view_from_world = camera.view;
   // The inverse of a rotation: its rows.
@@ -107,19 +128,22 @@ ViewBlock make_view_block(const Camera& camera, int width, int height) {
   }
   block.view_depth = glm::vec4(-row(view, 2));
   block.eye = has_perspective ? glm::vec4(world_from_view[3]) : glm::vec4(-world_from_view[2]);
-  block.width = width;
-  block.height = height;
+  block.width = answered_count(pixels.width, pixels.step);
+  block.height = answered_count(pixels.height, pixels.step);
+  block.step = 1;
   block.is_perspective = has_perspective;
   block.is_zero_to_one = camera.clip_depth == ClipDepth::zero_to_one;
   block.is_reversed = has_perspective ? depth.slope > 0 : depth.slope < 0;
-  const double x = 2.0 / (width * glm::length(glm::dvec3(row(camera.projection, 0)) * glm::dvec3(1, 1, 0)));
-  const double y = 2.0 / (height * glm::length(glm::dvec3(row(camera.projection, 1)) * glm::dvec3(1, 1, 0)));
-  block.pixel_size = static_cast<float>(std::fmax(x, y));
-  describe_errors(camera, view_from_clip, depth, block);
+  const double x = 2.0 / (pixels.width * glm::length(glm::dvec3(row(camera.projection, 0)) * glm::dvec3(1, 1, 0)));
+  const double y = 2.0 / (pixels.height * glm::length(glm::dvec3(row(camera.projection, 1)) * glm::dvec3(1, 1, 0)));
+  block.pixel_size = static_cast<float>(pixels.step * std::fmax(x, y));
+  describe_errors(camera, view_from_clip, depth, pixels.step, block);
   return block;
 }
 
-glm::dmat4 clip_from_world(const Camera& camera) { return glm::dmat4(camera.projection) * glm::dmat4(camera.view); }
+glm::dmat4 clip_from_world(const Camera& camera, const Pixels& pixels) {
+  return answered_from_clip(pixels) * glm::dmat4(camera.projection) * glm::dmat4(camera.view);
+}
 
 DepthEnds orthographic_depth_ends(const Camera& camera) {
   const DepthMap depth = depth_map_of(camera.projection, false);
@@ -133,7 +157,7 @@ void dispatch_over_pixels(int width, int height) {
 }
 
 bool is_mirrored(const Camera& camera) {
-  const glm::dmat4 view(camera.view), clip = clip_from_world(camera);
+  const glm::dmat4 view(camera.view), clip = glm::dmat4(camera.projection) * view;
   // Right, up and towards the viewer, as the screen has them.
   const glm::dmat3 axes(glm::dvec3(row(clip, 0)), glm::dvec3(row(clip, 1)), glm::dvec3(row(view, 2)));
   return glm::determinant(axes) < 0;

@@ -9,11 +9,18 @@
 
 namespace lkao::gl {
 
+// What a pass answers of width x height pixels: every step-th along each axis.
+struct Pixels {
+  int width, height, step = 1;
+};
+
 // The camera's part of the block, and the size. Throws std::invalid_argument where `view` is no rigid motion or
 // `projection` neither perspective nor orthographic.
-ViewBlock make_view_block(const Camera& camera, int width, int height);
+ViewBlock make_view_block(const Camera& camera, const Pixels& pixels);
 
-glm::dmat4 clip_from_world(const Camera& camera);
+// Into the clip space of a screen that shows the answered pixels alone, side by side: their centres are where the
+// camera sees those of the pixels that they stand for.
+glm::dmat4 clip_from_world(const Camera& camera, const Pixels& pixels);
 
 // Distances along the view at which the depth range of an orthographic camera begins and ends.
 struct DepthEnds {

@@ -25,8 +25,10 @@ vec4 view_depth;          // (x, y, z) . position + w = distance along the view
 vec4 eye;                 // perspective: the eye; orthographic: the direction of view
 // What position_error.glsl knows, and the other numbers of its kind below.
 vec4 clip_depth_size, clip_w_size;  // |rows 2 and 3| of the matrix from world to clip space
-int width, height;
-int place;  // LKAO_PLACE_*
+int width, height;                  // of the picture that a pass makes
+int first_x, first_y;               // the texel of its pixel (0, 0), in the G-buffer
+int step;                           // texels from one pixel to the next
+int place;                          // LKAO_PLACE_*
 int is_perspective;
 int is_zero_to_one;  // of depth in clip space
 int is_reversed;     // depth falls with the distance

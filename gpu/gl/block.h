@@ -10,11 +10,12 @@
 #ifndef LKAO_GPU_GL_BLOCK_H
 #define LKAO_GPU_GL_BLOCK_H
 
-// Bindings: what is seen, the shapes around triangles, and what one pass alone knows.
+// Bindings: what is seen, the shapes around triangles, what one pass alone knows, and where occlusion goes.
 #define LKAO_BLOCK_VIEW 0
 #define LKAO_BLOCK_SHAPES 1
 #define LKAO_BLOCK_PASS 2
-#define LKAO_BLOCK_COUNT 3
+#define LKAO_BLOCK_TARGET 3
+#define LKAO_BLOCK_COUNT 4
 
 #ifdef __cplusplus
 

@@ -54,7 +54,8 @@ std::vector<Mask> draw_on_cpu(const std::vector<Rectangle>& rectangles) {
 }
 
 std::vector<Mask> draw_by_logic_op(const std::vector<Rectangle>& rectangles) {
-  const MaskImages images(kSize, kSize, 1, false);
+  MaskImages images;
+  images.make_room(kSize, kSize, 1, false);
   const ProgramObject program = make_program({"frame/screen.vert", "masks/fill.frag"});
   const VertexArray no_attributes = make_vertex_array();
   images.bind_masks();

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <stdexcept>
 
 #include "gpu/gl/error.h"
@@ -14,6 +16,19 @@ Texture make_layers(GLenum format, int width, int height, int layer_count) {
   Texture texture = make_texture(GL_TEXTURE_2D_ARRAY);
   glTextureStorage3D(texture.name(), 1, format, width, height, layer_count);
   return texture;
+}
+
+struct Size {
+  int width, height;
+};
+
+std::int64_t area(const Size& size) { return std::int64_t{size.width} * size.height; }
+
+// For a new picture beside those that fit into the old textures; for the new one alone where there would be more than
+// four times as many pixels, as for one wide and one high picture.
+Size grown_size(const Size& wanted, const Size& old) {
+  const Size both{std::max(wanted.width, old.width), std::max(wanted.height, old.height)};
+  return area(both) <= 4 * std::max(area(wanted), area(old)) ? both : wanted;
 }
 
 void require_storage(int width, int height) {
@@ -28,8 +43,21 @@ void require_storage(int width, int height) {
 
 }  // namespace
 
-MaskImages::MaskImages(int width, int height, int layer_count, bool with_storage)
-    : width_(width), height_(height), layer_count_(layer_count) {
+void MaskImages::make_room(int width, int height, int layer_count, bool with_storage) {
+  if (with_storage) require_storage(width, height);
+  const bool fits = width <= texture_width_ && height <= texture_height_ && layer_count == layer_count_;
+  if (!fits) {
+    const Size size = grown_size({width, height}, {texture_width_, texture_height_});
+    // The old ones first: there may not be room for both.
+    *this = MaskImages();
+    allocate(size.width, size.height, layer_count, with_storage);
+  }
+  width_ = width;
+  height_ = height;
+}
+
+void MaskImages::allocate(int width, int height, int layer_count, bool with_storage) {
+  layer_count_ = layer_count;
   receivers_ = make_layers(GL_RGBA32F, width, height, LKAO_RECEIVER_LAYER_COUNT);
   masks_ = make_layers(GL_RGBA32UI, width, height, layer_count);
   depth_ = make_texture(GL_TEXTURE_2D);
@@ -37,18 +65,11 @@ MaskImages::MaskImages(int width, int height, int layer_count, bool with_storage
   framebuffer_ = make_framebuffer();
   glNamedFramebufferTexture(framebuffer_.name(), GL_DEPTH_ATTACHMENT, depth_.name(), 0);
   if (with_storage) {
-    require_storage(width, height);
     for (std::size_t k = 0; k < static_cast<std::size_t>(layer_count); ++k) {
       storage_[k] = make_buffer(GLsizeiptr{16} * width * height, nullptr, 0);
     }
   } else {
-    std::array<GLenum, 8> attachments{};
-    for (int k = 0; k < layer_count; ++k) {
-      const GLenum attachment = GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(k);
-      glNamedFramebufferTextureLayer(framebuffer_.name(), attachment, masks_.name(), 0, k);
-      attachments[static_cast<std::size_t>(k)] = attachment;
-    }
-    glNamedFramebufferDrawBuffers(framebuffer_.name(), layer_count, attachments.data());
+    attach_masks();
   }
   check_errors("making the occlusion buffers");
   const GLenum status = glCheckNamedFramebufferStatus(framebuffer_.name(), GL_DRAW_FRAMEBUFFER);
@@ -56,10 +77,18 @@ MaskImages::MaskImages(int width, int height, int layer_count, bool with_storage
     throw std::runtime_error(fmt::format("this OpenGL cannot draw to {} integer attachments of {}x{} (status {:#x})",
                                          layer_count, width, height, status));
   }
+  texture_width_ = width;
+  texture_height_ = height;
 }
 
-bool MaskImages::fits(int width, int height, int layer_count) const {
-  return width == width_ && height == height_ && layer_count == layer_count_;
+void MaskImages::attach_masks() const {
+  std::array<GLenum, 8> attachments{};
+  for (int k = 0; k < layer_count_; ++k) {
+    const GLenum attachment = GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(k);
+    glNamedFramebufferTextureLayer(framebuffer_.name(), attachment, masks_.name(), 0, k);
+    attachments[static_cast<std::size_t>(k)] = attachment;
+  }
+  glNamedFramebufferDrawBuffers(framebuffer_.name(), layer_count_, attachments.data());
 }
 
 void MaskImages::bind_depth() const {
@@ -70,14 +99,16 @@ void MaskImages::bind_depth() const {
 void MaskImages::bind_masks() const {
   bind_depth();
   const GLuint zeros[4] = {0, 0, 0, 0};
+  if (!storage_[0]) {
+    glClearTexSubImage(masks_.name(), 0, 0, 0, 0, width_, height_, layer_count_, GL_RGBA_INTEGER, GL_UNSIGNED_INT,
+                       zeros);
+    return;
+  }
+  const GLsizeiptr size = GLsizeiptr{16} * width_ * height_;
   for (int k = 0; k < layer_count_; ++k) {
-    const Buffer& buffer = storage_[static_cast<std::size_t>(k)];
-    if (buffer) {
-      glClearNamedBufferData(buffer.name(), GL_RGBA32UI, GL_RGBA_INTEGER, GL_UNSIGNED_INT, zeros);
-      glBindBufferBase(GL_SHADER_STORAGE_BUFFER, static_cast<GLuint>(LKAO_STORAGE_MASKS + k), buffer.name());
-    } else {
-      glClearNamedFramebufferuiv(framebuffer_.name(), GL_COLOR, k, zeros);
-    }
+    const GLuint buffer = storage_[static_cast<std::size_t>(k)].name();
+    glClearNamedBufferSubData(buffer, GL_RGBA32UI, 0, size, GL_RGBA_INTEGER, GL_UNSIGNED_INT, zeros);
+    glBindBufferRange(GL_SHADER_STORAGE_BUFFER, static_cast<GLuint>(LKAO_STORAGE_MASKS + k), buffer, 0, size);
   }
 }
 

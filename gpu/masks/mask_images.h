@@ -8,15 +8,13 @@
 
 namespace lkao::gl {
 
+// Of a picture, in textures that may be larger, since they grow only: pictures of several sizes may take turns.
 class MaskImages {
  public:
-  MaskImages() = default;
   // `with_storage`: masks are gathered in shader storage, not by attachments.
   // Throws std::runtime_error where the driver cannot have them.
-  MaskImages(int width, int height, int layer_count, bool with_storage);
+  void make_room(int width, int height, int layer_count, bool with_storage);
 
-  // False for those that were made without arguments.
-  bool fits(int width, int height, int layer_count) const;
   int width() const { return width_; }
   int height() const { return height_; }
   int layer_count() const { return layer_count_; }
@@ -31,8 +29,11 @@ class MaskImages {
   void finish_masks() const;
 
  private:
-  int width_ = 0;
-  int height_ = 0;
+  void allocate(int width, int height, int layer_count, bool with_storage);
+  void attach_masks() const;
+
+  int width_ = 0, height_ = 0;                  // of the picture
+  int texture_width_ = 0, texture_height_ = 0;  // 0: there are none
   int layer_count_ = 0;
   Texture receivers_, masks_, depth_;
   Framebuffer framebuffer_;

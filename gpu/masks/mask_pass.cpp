@@ -20,7 +20,7 @@ namespace {
 void validate(const ResolveTargets& written, int width, int height) {
   if (written.occlusion.texture != 0) gl::validate(written.occlusion, width, height);
   if (written.bent_normals != 0) {
-    require_size("bent_normals", written.bent_normals, width, height);
+    require_size("bent_normals", written.bent_normals, {width, height, written.occlusion.part});
     require_format("bent_normals", written.bent_normals, "GL_RGBA16F and GL_RGBA32F", {GL_RGBA16F, GL_RGBA32F});
   }
 }
@@ -55,7 +55,7 @@ void MaskPass::draw(const Occluders& occluders, const GBuffer& g_buffer, const C
   const MeshBuffers& mesh = occluders.buffers();
   const StateKeeper keeper(kDrawUse, state.setup.keep_state);
   state.is_drawn = false;
-  state.make_images(g_buffer.width, g_buffer.height);
+  state.make_images(g_buffer.picture_width(), g_buffer.picture_height());
   state.wait_for_last_frame();
   if (mesh.has_ranges() || options.min_distance > 0) state.table->add_directions();
   state.describe(mesh, g_buffer, camera, options, raster);

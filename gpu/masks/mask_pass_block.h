@@ -1,4 +1,4 @@
-// What the mask pass alone knows: jitter, the plane mask table, culls, and where a frame is resolved to.
+// What the mask pass alone knows: jitter, the plane mask table, culls, and what a frame is resolved to.
 #ifndef LKAO_GPU_MASKS_MASK_PASS_BLOCK_H
 #define LKAO_GPU_MASKS_MASK_PASS_BLOCK_H
 
@@ -17,7 +17,6 @@ uint slice_size;       // cells of a slice
 uint first_direction;  // the cells before those for rays of one length; 0 where all rays are of one
 int culls_far_depth, culls_by_sphere, culls_by_facing, culls_by_plane, culls_by_horizon, culls_by_reach;
 int writes_occlusion, writes_bent_normals;
-float background;  // the occlusion where there is no receiver
 LKAO_BLOCK_END(pass)
 
 #endif

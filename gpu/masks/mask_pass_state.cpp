@@ -17,7 +17,7 @@ namespace {
 
 // By unit.
 constexpr GLenum kTextureTargets[] = {
-    GL_TEXTURE_2D,       GL_TEXTURE_2D,     GL_TEXTURE_2D,                            // frame
+    GL_TEXTURE_2D,       GL_TEXTURE_2D,     GL_TEXTURE_2D,     GL_TEXTURE_2D,         // frame
     GL_TEXTURE_BUFFER,   GL_TEXTURE_BUFFER, GL_TEXTURE_BUFFER, GL_TEXTURE_BUFFER,     // mesh
     GL_TEXTURE_BUFFER,   GL_TEXTURE_BUFFER, GL_TEXTURE_BUFFER,                        // mesh
     GL_TEXTURE_2D_ARRAY, GL_TEXTURE_BUFFER, GL_TEXTURE_BUFFER, GL_TEXTURE_2D_ARRAY};  // masks
@@ -41,7 +41,8 @@ const StateUse kDrawUse{.texture_targets = kTextureTargets,
                         .counts = true,
                         .draws = true,
                         .moves_pixels = true};
-const StateUse kResolveUse{.texture_targets = kTextureTargets, .image_count = 2, .block_count = LKAO_BLOCK_COUNT};
+const StateUse kResolveUse{
+    .texture_targets = kTextureTargets, .image_count = LKAO_MASK_PASS_IMAGE_COUNT, .block_count = LKAO_BLOCK_COUNT};
 const StateUse kReadUse{.moves_pixels = true};
 
 MaskPass::State::State(const MaskPassSetup& wanted)
@@ -72,10 +73,7 @@ void MaskPass::State::set_table(const PlaneMaskTable& wanted) {
 }
 
 void MaskPass::State::make_images(int width, int height) {
-  if (images.fits(width, height, table->layer_count())) return;
-  // The old ones first: there may not be room for both.
-  images = MaskImages();
-  images = MaskImages(width, height, table->layer_count(), setup.accumulator == Accumulator::ssbo);
+  images.make_room(width, height, table->layer_count(), setup.accumulator == Accumulator::ssbo);
 }
 
 // By themselves, writes of shaders wait for nothing that came before, and clears and copies do not wait for writes of
@@ -91,7 +89,7 @@ void MaskPass::State::describe(const MeshBuffers& mesh, const GBuffer& g_buffer,
 
   shapes_block = {};
   // Any radius will do until find_radius() knows.
-  set_camera(camera, view, std::isinf(options.radius) ? 1.0f : options.radius, shapes_block);
+  set_camera(camera, pixels_of(g_buffer), view, std::isinf(options.radius) ? 1.0f : options.radius, shapes_block);
   shapes_block.is_unbounded = std::isinf(options.radius);
   shapes_block.is_two_sided = options.sidedness == Sidedness::two_sided;
   shapes_block.has_ranges = mesh.has_ranges();
@@ -206,11 +204,10 @@ void MaskPass::State::drop_rays_not_cast() {
 }
 
 void MaskPass::State::write_targets(const ResolveTargets& written) {
-  block.background = written.occlusion.background;
   block.writes_occlusion = written.occlusion.texture != 0;
   block.writes_bent_normals = written.bent_normals != 0;
-  if (written.occlusion.texture != 0) bind_image(0, written.occlusion.texture);
-  if (written.bent_normals != 0) bind_image(1, written.bent_normals);
+  bind(written.occlusion, target_buffer, plain_sampler);
+  if (written.bent_normals != 0) bind_image(LKAO_IMAGE_BENT_NORMALS, written.bent_normals);
   bind_blocks();
   table->bind();
   glBindTextureUnit(LKAO_UNIT_RECEIVERS, images.receivers());

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "gpu/frame/g_buffer_check.h"
+#include "gpu/frame/target_block.h"
 #include "gpu/frame/view_block.h"
 #include "gpu/gl/objects.h"
 #include "gpu/gl/state_keeper.h"
@@ -68,6 +69,7 @@ struct MaskPass::State {
   UniformBuffer<ViewBlock> view_buffer;
   UniformBuffer<ShapesBlock> shapes_buffer;
   UniformBuffer<MaskPassBlock> block_buffer;
+  UniformBuffer<TargetBlock> target_buffer;
   Buffer counters;
   Sampler plain_sampler;
   VertexArray no_attributes;

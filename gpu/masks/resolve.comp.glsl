@@ -2,29 +2,29 @@
 // From masks to occlusion and bent normals.
 //
 // Based on: S. Laine, T. Karras, "Two Methods for Fast Ray-Cast Ambient Occlusion", EGSR 2010, Eq. 3.
+#include "gpu/frame/target.glsl"
 #include "gpu/masks/mask_pass_block.h"
 #include "gpu/masks/rays.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(binding = LKAO_UNIT_MASKS) uniform usampler2DArray masks;
-layout(binding = 0) writeonly uniform image2D occlusion;
-layout(binding = 1) writeonly uniform image2D bent_normals;
+layout(binding = LKAO_IMAGE_BENT_NORMALS) writeonly uniform image2D bent_normals;
 
 uint bit_count(uvec4 bits) {
   ivec4 counts = bitCount(bits);
   return uint(counts.x + counts.y + counts.z + counts.w);
 }
 
-void write(ivec2 pixel, float occluded, vec4 bent_normal) {
-  if (pass.writes_occlusion != 0) imageStore(occlusion, pixel, vec4(occluded, 0, 0, 1));
-  if (pass.writes_bent_normals != 0) imageStore(bent_normals, pixel, bent_normal);
+void write_nothing(ivec2 pixel) {
+  if (pass.writes_occlusion != 0) write_background(pixel);
+  if (pass.writes_bent_normals != 0) imageStore(bent_normals, target_texel(pixel), vec4(0));
 }
 
 void main() {
   ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
   if (is_outside(pixel)) return;
   if (texelFetch(receivers, ivec3(pixel, LKAO_RECEIVER_ORIGIN), 0).w < 0.1 * LKAO_NO_RECEIVER) {
-    write(pixel, pass.background, vec4(0));
+    write_nothing(pixel);
     return;
   }
   Frame frame = fetch_frame(pixel);
@@ -46,9 +46,12 @@ void main() {
     }
   }
   if (cast_count == 0u) {
-    write(pixel, pass.background, vec4(0));
+    write_nothing(pixel);
     return;
   }
-  vec3 bent = open_sum == vec3(0) ? frame.z : normalize(ray_direction(frame, open_sum));
-  write(pixel, float(blocked_count) / float(cast_count), vec4(bent, 1));
+  if (pass.writes_occlusion != 0) write_occlusion(pixel, float(blocked_count) / float(cast_count));
+  if (pass.writes_bent_normals != 0) {
+    vec3 bent = open_sum == vec3(0) ? frame.z : normalize(ray_direction(frame, open_sum));
+    imageStore(bent_normals, target_texel(pixel), vec4(bent, 1));
+  }
 }

@@ -10,6 +10,10 @@
 #define LKAO_UNIT_MASKS (LKAO_MESH_UNIT_COUNT + 3)      // 2D array: the occlusion masks, 128 rays a layer
 #define LKAO_MASK_PASS_UNIT_COUNT (LKAO_MESH_UNIT_COUNT + 4)
 
+// Images. While it draws, the first one is a texture of the pass's own.
+#define LKAO_IMAGE_BENT_NORMALS (LKAO_FRAME_IMAGE_COUNT + 0)
+#define LKAO_MASK_PASS_IMAGE_COUNT (LKAO_FRAME_IMAGE_COUNT + 1)
+
 // The masks in shader storage instead: 128 rays each.
 #define LKAO_STORAGE_MASKS 0
 #define LKAO_STORAGE_MASKS_COUNT 8

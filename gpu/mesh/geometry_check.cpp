@@ -23,13 +23,14 @@ constexpr GLsizeiptr kPixelCount = GLsizeiptr{kSize} * kSize;
 // How often each pixel is drawn by the far side of a prism that the camera is inside of.
 std::vector<std::uint32_t> count_prism(GeometryBackEnd back_end) {
   const Camera camera{glm::mat4(1), glm::perspective(1.0f, 1.0f, 0.1f, 10.0f), ClipDepth::minus_one_to_one};
+  const Pixels pixels{kSize, kSize};
   const float radius = 1;
   const UniformBuffer<ViewBlock> view;
   const UniformBuffer<ShapesBlock> shapes;
   ShapesBlock shapes_block{};
   shapes_block.is_two_sided = 1;
-  const ViewBlock view_block = make_view_block(camera, kSize, kSize);
-  set_camera(camera, view_block, radius, shapes_block);
+  const ViewBlock view_block = make_view_block(camera, pixels);
+  set_camera(camera, pixels, view_block, radius, shapes_block);
   const Buffer counts = make_buffer(kPixelCount * 4, nullptr, 0);
   const GLuint zero = 0;
   glClearNamedBufferData(counts.name(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &zero);

@@ -1,7 +1,5 @@
 #include "gpu/mesh/shapes.h"
 
-#include "gpu/frame/view.h"
-
 namespace lkao::gl {
 
 ShapePrograms make_shape_programs(GeometryBackEnd back_end, const std::string& fragment, const Defines& defines) {
@@ -13,7 +11,7 @@ ShapePrograms make_shape_programs(GeometryBackEnd back_end, const std::string& f
           make_program({"mesh/billboard.vert", fragment}, defines)};
 }
 
-void set_camera(const Camera& camera, const ViewBlock& view, float radius, ShapesBlock& block) {
+void set_camera(const Camera& camera, const Pixels& pixels, const ViewBlock& view, float radius, ShapesBlock& block) {
   glm::dvec4 depth_row;
   if (view.is_perspective != 0) {
     // 1 / 1024 of the radius: nothing nearer matters, and float keeps its precision whatever the scale.
@@ -29,7 +27,7 @@ void set_camera(const Camera& camera, const ViewBlock& view, float radius, Shape
     for (int column = 0; column < 4; ++column) depth_row[column] = scale * static_cast<double>(camera.view[column][2]);
     depth_row.w += scale * static_cast<double>(block.depth_far);
   }
-  glm::dmat4 clip = clip_from_world(camera);
+  glm::dmat4 clip = clip_from_world(camera, pixels);
   for (int column = 0; column < 4; ++column) clip[column][2] = depth_row[column];
   block.clip_from_world = glm::mat4(clip);
   block.radius = radius;

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "gpu/frame/view.h"
 #include "gpu/frame/view_block.h"
 #include "gpu/gl/program.h"
 #include "gpu/mesh/shapes_block.h"
@@ -21,7 +22,7 @@ struct ShapePrograms {
 ShapePrograms make_shape_programs(GeometryBackEnd back_end, const std::string& fragment, const Defines& defines);
 
 // What of the block depends on the camera and the radius: where shapes are on the screen, and their depth (depth.glsl).
-// `view` is of the same camera.
-void set_camera(const Camera& camera, const ViewBlock& view, float radius, ShapesBlock& block);
+// `view` is of the same camera and pixels.
+void set_camera(const Camera& camera, const Pixels& pixels, const ViewBlock& view, float radius, ShapesBlock& block);
 
 }  // namespace lkao::gl

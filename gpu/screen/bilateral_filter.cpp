@@ -1,13 +1,15 @@
 #include "lkao/gl/bilateral_filter.h"
 
 #include <epoxy/gl.h>
+#include <fmt/format.h>
 
+#include <algorithm>
 #include <iterator>
 #include <numbers>
+#include <stdexcept>
 
 #include "gpu/frame/g_buffer.h"
 #include "gpu/frame/occlusion_target.h"
-#include "gpu/frame/texture_checks.h"
 #include "gpu/frame/view.h"
 #include "gpu/gl/error.h"
 #include "gpu/gl/objects.h"
@@ -22,9 +24,10 @@
 namespace lkao::gl {
 namespace {
 
-constexpr GLenum kTextureTargets[] = {GL_TEXTURE_2D, GL_TEXTURE_2D, GL_TEXTURE_2D, GL_TEXTURE_2D};
+constexpr GLenum kTextureTargets[] = {GL_TEXTURE_2D, GL_TEXTURE_2D, GL_TEXTURE_2D, GL_TEXTURE_2D, GL_TEXTURE_2D};
 static_assert(std::size(kTextureTargets) == LKAO_FILTER_UNIT_COUNT);
-constexpr StateUse kUse{.texture_targets = kTextureTargets, .image_count = 1, .block_count = LKAO_BLOCK_COUNT};
+constexpr StateUse kUse{
+    .texture_targets = kTextureTargets, .image_count = LKAO_FRAME_IMAGE_COUNT, .block_count = LKAO_BLOCK_COUNT};
 
 void check(const BilateralFilterOptions& options) {
   lut::require(options.radius >= 1 && options.radius <= 16, "radius", "from 1 to 16", options.radius);
@@ -32,14 +35,21 @@ void check(const BilateralFilterOptions& options) {
   lut::require(options.normal_sharpness >= 0, "normal_sharpness", "at least 0", options.normal_sharpness);
 }
 
-FilterBlock make_block(const BilateralFilterOptions& options, float background) {
+FilterBlock make_block(const BilateralFilterOptions& options) {
   FilterBlock block{};
   block.radius = options.radius;
   block.gauss = std::numbers::ln10_v<float> / static_cast<float>(options.radius * options.radius);
   block.depth_tolerance = options.depth_tolerance;
   block.normal_sharpness = options.normal_sharpness;
-  block.background = background;
   return block;
+}
+
+void set_source(const OcclusionTarget& source, FilterBlock& block) {
+  const Part first = source.part.value_or(Part{});
+  block.source_x = first.x;
+  block.source_y = first.y;
+  block.source_channel = static_cast<int>(source.channel);
+  block.source_is_visibility = source.quantity == Quantity::visibility;
 }
 
 }  // namespace
@@ -47,38 +57,43 @@ FilterBlock make_block(const BilateralFilterOptions& options, float background) 
 struct BilateralFilter::State {
   explicit State(const BilateralFilterSetup& wanted) : setup(wanted) {}
 
-  void make_room(int wanted_width, int wanted_height);
-  // Along rows (1, 0) or columns (0, 1).
-  void run(int step_x, int step_y, FilterBlock block, ObjectName from, ObjectName to) const;
+  // For the result of the first direction.
+  void make_room(int width, int height);
+  // The program in use over all pixels of the view block.
+  void run(const ViewBlock& seen, FilterBlock values, const OcclusionTarget& from, const OcclusionTarget& to) const;
 
   BilateralFilterSetup setup;
-  ProgramObject program = make_program({"screen/bilateral.comp"});
+  ProgramObject one_direction = make_program({"screen/bilateral.comp"});
+  ProgramObject upsample = make_program({"screen/upsample.comp"});
   UniformBuffer<ViewBlock> view;
   UniformBuffer<FilterBlock> block;
+  UniformBuffer<TargetBlock> target;
   Sampler plain_sampler = make_plain_sampler();
   Texture half_filtered;
-  int width = 0, height = 0;
+  int room_width = 0, room_height = 0;
 };
 
-void BilateralFilter::State::make_room(int wanted_width, int wanted_height) {
-  if (wanted_width == width && wanted_height == height) return;
+void BilateralFilter::State::make_room(int width, int height) {
+  if (width <= room_width && height <= room_height) return;
+  const int new_width = std::max(width, room_width), new_height = std::max(height, room_height);
   half_filtered = make_texture(GL_TEXTURE_2D);
-  width = height = 0;
-  glTextureStorage2D(half_filtered.name(), 1, GL_R32F, wanted_width, wanted_height);
+  room_width = room_height = 0;
+  glTextureStorage2D(half_filtered.name(), 1, GL_R32F, new_width, new_height);
   check_errors("making room for a filter");
-  width = wanted_width;
-  height = wanted_height;
+  room_width = new_width;
+  room_height = new_height;
 }
 
-void BilateralFilter::State::run(int step_x, int step_y, FilterBlock values, ObjectName from, ObjectName to) const {
-  values.step_x = step_x;
-  values.step_y = step_y;
+void BilateralFilter::State::run(const ViewBlock& seen, FilterBlock values, const OcclusionTarget& from,
+                                 const OcclusionTarget& to) const {
+  set_source(from, values);
+  view.set_and_bind(seen);
   block.set_and_bind(values);
-  glBindTextureUnit(LKAO_UNIT_UNFILTERED, from);
+  bind(to, target, plain_sampler);
+  glBindTextureUnit(LKAO_UNIT_UNFILTERED, from.texture);
   glBindSampler(LKAO_UNIT_UNFILTERED, plain_sampler.name());
-  bind_image(0, to);
   begin_writing_targets();
-  dispatch_over_pixels(width, height);
+  dispatch_over_pixels(seen.width, seen.height);
   end_writing_targets();
 }
 
@@ -92,23 +107,54 @@ BilateralFilter::~BilateralFilter() = default;
 BilateralFilter::BilateralFilter(BilateralFilter&&) noexcept = default;
 BilateralFilter& BilateralFilter::operator=(BilateralFilter&&) noexcept = default;
 
-void BilateralFilter::filter(const GBuffer& g_buffer, const Camera& camera, ObjectName occlusion,
+void BilateralFilter::filter(const GBuffer& g_buffer, const Camera& camera, const OcclusionTarget& from,
                              const OcclusionTarget& to, const BilateralFilterOptions& options) {
-  require_clean_context(state_->setup.host_errors);
+  State& state = *state_;
+  require_clean_context(state.setup.host_errors);
   check(options);
   validate(g_buffer);
-  require_readable("occlusion", occlusion, g_buffer.width, g_buffer.height, 1, Use::value);
-  validate(to, g_buffer.width, g_buffer.height);
-  const ViewBlock view = make_view_block(g_buffer, camera);
-  const StateKeeper keeper(kUse, state_->setup.keep_state);
-  state_->make_room(g_buffer.width, g_buffer.height);
-  state_->view.set_and_bind(view);
-  bind(g_buffer, state_->plain_sampler);
-  glUseProgram(state_->program.name());
-  const FilterBlock block = make_block(options, to.background);
-  state_->run(1, 0, block, occlusion, state_->half_filtered.name());
-  state_->run(0, 1, block, state_->half_filtered.name(), to.texture);
+  const int width = g_buffer.picture_width(), height = g_buffer.picture_height();
+  validate_source(from, width, height);
+  validate(to, width, height);
+  const ViewBlock seen = make_view_block(g_buffer, camera);
+  const StateKeeper keeper(kUse, state.setup.keep_state);
+  state.make_room(width, height);
+  const OcclusionTarget between{.texture = state.half_filtered.name(), .part = Part{}};
+  FilterBlock values = make_block(options);
+  bind(g_buffer, state.plain_sampler);
+  glUseProgram(state.one_direction.name());
+  values.step_x = 1;
+  state.run(seen, values, from, between);
+  values.step_x = 0;
+  values.step_y = 1;
+  state.run(seen, values, between, to);
   check_errors("filtering occlusion");
+}
+
+void BilateralFilter::upsample(const GBuffer& g_buffer, const Camera& camera, const OcclusionTarget& from,
+                               const OcclusionTarget& to, const BilateralFilterOptions& options) {
+  State& state = *state_;
+  require_clean_context(state.setup.host_errors);
+  check(options);
+  validate(g_buffer);
+  if (options.radius < g_buffer.step) {
+    throw std::invalid_argument(fmt::format(
+        "radius must be at least the G-buffer's step of {} where it upsamples, not {}", g_buffer.step, options.radius));
+  }
+  validate_source(from, g_buffer.picture_width(), g_buffer.picture_height());
+  validate(to, g_buffer.width, g_buffer.height);
+  GBuffer all_pixels = g_buffer;
+  all_pixels.step = 1;
+  const ViewBlock seen = make_view_block(all_pixels, camera);
+  const StateKeeper keeper(kUse, state.setup.keep_state);
+  FilterBlock values = make_block(options);
+  values.sample_step = g_buffer.step;
+  values.sample_width = g_buffer.picture_width();
+  values.sample_height = g_buffer.picture_height();
+  bind(g_buffer, state.plain_sampler);
+  glUseProgram(state.upsample.name());
+  state.run(seen, values, from, to);
+  check_errors("upsampling occlusion");
 }
 
 std::optional<BilateralFilter> BilateralFilter::try_make(const BilateralFilterSetup& setup, Status& status) noexcept {
@@ -117,9 +163,14 @@ std::optional<BilateralFilter> BilateralFilter::try_make(const BilateralFilterSe
   return filter;
 }
 
-Status BilateralFilter::try_filter(const GBuffer& g_buffer, const Camera& camera, ObjectName occlusion,
+Status BilateralFilter::try_filter(const GBuffer& g_buffer, const Camera& camera, const OcclusionTarget& from,
                                    const OcclusionTarget& to, const BilateralFilterOptions& options) noexcept {
-  return status_of([&] { filter(g_buffer, camera, occlusion, to, options); });
+  return status_of([&] { filter(g_buffer, camera, from, to, options); });
+}
+
+Status BilateralFilter::try_upsample(const GBuffer& g_buffer, const Camera& camera, const OcclusionTarget& from,
+                                     const OcclusionTarget& to, const BilateralFilterOptions& options) noexcept {
+  return status_of([&] { upsample(g_buffer, camera, from, to, options); });
 }
 
 }  // namespace lkao::gl

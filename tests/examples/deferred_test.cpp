@@ -47,12 +47,13 @@ TEST_F(Deferred, EveryKindOfGBufferIsRightAtDefaults) {
   if (result.err.find("EGL offers no") != std::string::npos) GTEST_SKIP() << result.err;
   ASSERT_EQ(result.exit_code, 0) << result.err;
   const std::vector<Row> rows = rows_of(read_file("kinds.csv"));
-  EXPECT_EQ(rows.size(), 30u);
+  EXPECT_EQ(rows.size(), 34u);
   for (const Row& row : rows) {
     if (row.offset == "automatic") {
-      EXPECT_LT(row.off_share, 1e-3) << row.kind;
-      // Normals of another last bit turn the pattern: other rays.
-      EXPECT_LT(row.mean_error, 2.5 / 255) << row.kind;
+      const bool is_whole = row.kind != "half resolution";
+      EXPECT_LT(row.off_share, is_whole ? 1e-3 : 0.01) << row.kind;
+      // Normals of another last bit turn the pattern: other rays. At half resolution pixels are mixed of others.
+      EXPECT_LT(row.mean_error, (is_whole ? 2.5 : 5) / 255) << row.kind;
     } else if (row.kind == "depth of 24 bits") {
       EXPECT_GT(row.off_share, 0.2) << "the offset of the query would do, and the comparison shows nothing";
     }

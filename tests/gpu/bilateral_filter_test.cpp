@@ -16,6 +16,7 @@
 
 #include "gpu/g_buffer_pass.h"
 #include "gpu/in_furnished_room.h"
+#include "gpu/view_surfaces.h"
 #include "lkao/gl/bilateral_filter.h"
 #include "lut/random.h"
 
@@ -26,48 +27,30 @@ constexpr int kWidth = 64;
 constexpr int kHeight = 48;
 constexpr std::size_t kPixelCount = std::size_t{kWidth} * kHeight;
 
-// The definition once more: one direction, in double precision, from positions in view space.
-struct Surfaces {
-  std::vector<glm::dvec3> positions, normals;  // unit normals; zero where there is no receiver
-  double pixel_size = 0;
-  bool is_perspective = true;
-
-  std::vector<double> filter(const std::vector<double>& values, int step_x, int step_y, double background,
-                             const BilateralFilterOptions& options) const {
-    std::vector<double> result(values.size(), background);
-    for (int y = 0; y < kHeight; ++y) {
-      for (int x = 0; x < kWidth; ++x) {
-        const std::size_t middle = index(x, y);
-        if (normals[middle] == glm::dvec3(0)) continue;
-        double sum = 0, weights = 0;
-        for (int i = -options.radius; i <= options.radius; ++i) {
-          const int to_x = x + i * step_x, to_y = y + i * step_y;
-          if (to_x < 0 || to_y < 0 || to_x >= kWidth || to_y >= kHeight) continue;
-          const std::size_t other = index(to_x, to_y);
-          if (normals[other] == glm::dvec3(0)) continue;
-          const double weight = weight_of(middle, other, i, options);
-          sum += weight * values[other];
-          weights += weight;
-        }
-        result[middle] = sum / weights;
+// The definition once more: one direction, in double precision.
+std::vector<double> filter_once(const ViewSurfaces& surfaces, const std::vector<double>& values, int step_x, int step_y,
+                                double background, const BilateralFilterOptions& options) {
+  const auto index = [](int x, int y) { return static_cast<std::size_t>(y * kWidth + x); };
+  std::vector<double> result(values.size(), background);
+  for (int y = 0; y < kHeight; ++y) {
+    for (int x = 0; x < kWidth; ++x) {
+      const std::size_t middle = index(x, y);
+      if (!surfaces.has_receiver(middle)) continue;
+      double sum = values[middle], weights = 1;
+      for (int i = -options.radius; i <= options.radius; ++i) {
+        const int to_x = x + i * step_x, to_y = y + i * step_y;
+        if (i == 0 || to_x < 0 || to_y < 0 || to_x >= kWidth || to_y >= kHeight) continue;
+        const std::size_t other = index(to_x, to_y);
+        if (!surfaces.has_receiver(other)) continue;
+        const double weight = gauss_weight(i * i, options) * surfaces.likeness(middle, other, options);
+        sum += weight * values[other];
+        weights += weight;
       }
+      result[middle] = sum / weights;
     }
-    return result;
   }
-
- private:
-  static std::size_t index(int x, int y) { return static_cast<std::size_t>(y * kWidth + x); }
-
-  double weight_of(std::size_t middle, std::size_t other, int i, const BilateralFilterOptions& options) const {
-    if (middle == other) return 1;
-    const double share = static_cast<double>(i) / options.radius;
-    const double pixel = pixel_size * (is_perspective ? -positions[middle].z : 1.0);
-    const double off =
-        glm::dot(normals[middle], positions[other] - positions[middle]) / (pixel * options.depth_tolerance);
-    const double alike = std::pow(std::fmax(glm::dot(normals[middle], normals[other]), 0.0), options.normal_sharpness);
-    return std::pow(0.1, share * share) * std::exp(-off * off) * alike;
-  }
-};
+  return result;
+}
 
 class BilateralFilterOnRoom : public InFurnishedRoom<kWidth, kHeight> {
  protected:
@@ -92,7 +75,7 @@ class BilateralFilterOnRoom : public InFurnishedRoom<kWidth, kHeight> {
   std::vector<float> filter(const GBuffer& g_buffer, const Camera& camera, const std::vector<float>& values,
                             const BilateralFilterOptions& options, float background = 0.5f) {
     const Texture from = upload(values), to = make_image(GL_R32F, kWidth, kHeight);
-    filter_->filter(g_buffer, camera, from.name(), {to.name(), background}, options);
+    filter_->filter(g_buffer, camera, {from.name()}, {to.name(), background}, options);
     std::vector<float> result;
     for (const glm::vec4& texel : read_image(to.name(), kWidth, kHeight)) result.push_back(texel.x);
     return result;
@@ -101,19 +84,9 @@ class BilateralFilterOnRoom : public InFurnishedRoom<kWidth, kHeight> {
   // What the filter is to give, from the receivers of a G-buffer.
   std::vector<double> expected(const GBufferPass& g_buffer, const Camera& camera,
                                const BilateralFilterOptions& options) const {
-    Surfaces surfaces;
-    surfaces.is_perspective = camera.projection[2][3] != 0;
-    surfaces.pixel_size = std::fmax(2.0 / (kWidth * std::fabs(camera.projection[0][0])),
-                                    2.0 / (kHeight * std::fabs(camera.projection[1][1])));
-    for (const Receiver& receiver : g_buffer.receivers()) {
-      const bool is_valid = receiver.normal != glm::vec3(0);
-      const glm::dvec3 position(camera.view * glm::vec4(receiver.position, 1));
-      const glm::dvec3 normal(glm::mat3(camera.view) * receiver.normal);
-      surfaces.positions.push_back(position);
-      surfaces.normals.push_back(is_valid ? glm::normalize(normal) : glm::dvec3(0));
-    }
+    const ViewSurfaces surfaces(g_buffer.receivers(), camera, kWidth, kHeight);
     const std::vector<double> values(noise_.begin(), noise_.end());
-    return surfaces.filter(surfaces.filter(values, 1, 0, 0.5, options), 0, 1, 0.5, options);
+    return filter_once(surfaces, filter_once(surfaces, values, 1, 0, 0.5, options), 0, 1, 0.5, options);
   }
 
   std::unique_ptr<BilateralFilter> filter_;
@@ -204,7 +177,7 @@ TEST_F(BilateralFilterOnRoom, PassesPixelsWithoutReceiversBy) {
 
 TEST_F(BilateralFilterOnRoom, MayWriteWhereItReads) {
   const Texture texture = upload(noise_);
-  filter_->filter(g_buffer_->by_depth(), camera_, texture.name(), {texture.name(), 0.5f});
+  filter_->filter(g_buffer_->by_depth(), camera_, {texture.name()}, {texture.name(), 0.5f});
   const std::vector<float> elsewhere = filter(g_buffer_->by_depth(), camera_, noise_, {});
   const std::vector<glm::vec4> texels = read_image(texture.name(), kWidth, kHeight);
   for (std::size_t i = 0; i < kPixelCount; ++i) EXPECT_EQ(texels[i].x, elsewhere[i]);
@@ -212,11 +185,11 @@ TEST_F(BilateralFilterOnRoom, MayWriteWhereItReads) {
 
 TEST_F(BilateralFilterOnRoom, NamesWhatIsWrong) {
   const Texture occlusion = upload(noise_), small = make_image(GL_R32F, kWidth, kHeight - 1);
-  const Texture integers = make_image(GL_R32UI, kWidth, kHeight), color = make_image(GL_RGBA32F, kWidth, kHeight);
+  const Texture integers = make_image(GL_R32UI, kWidth, kHeight), color = make_image(GL_SRGB8_ALPHA8, kWidth, kHeight);
   const auto expect = [&](const std::string& named, ObjectName from, ObjectName to,
                           const BilateralFilterOptions& options) {
     try {
-      filter_->filter(g_buffer_->by_depth(), camera_, from, {to}, options);
+      filter_->filter(g_buffer_->by_depth(), camera_, {from}, {to}, options);
       ADD_FAILURE() << "no exception about " << named;
     } catch (const std::invalid_argument& error) {
       EXPECT_NE(std::string(error.what()).find(named), std::string::npos) << error.what();
@@ -230,7 +203,7 @@ TEST_F(BilateralFilterOnRoom, NamesWhatIsWrong) {
   expect("normal_sharpness", occlusion.name(), occlusion.name(), {.normal_sharpness = -1});
   expect("occlusion must be of", small.name(), occlusion.name(), {});
   expect("occlusion must have 1 float", integers.name(), occlusion.name(), {});
-  expect("occlusion must have one of the formats GL_R8", occlusion.name(), color.name(), {});
+  expect("occlusion cannot be written to the format GL_SRGB8_ALPHA8", occlusion.name(), color.name(), {});
   expect("occlusion is not set", 0, occlusion.name(), {});
 }
 

@@ -91,6 +91,14 @@ TEST_F(ExactMasks, FollowFalloffTiltAndGeometricNormals) {
   expect_close(pass.read_masks(), receivers, table.pattern(), options);
 }
 
+TEST_F(ExactMasks, OfUniformDirectionsAreTheCpusToo) {
+  const PlaneMaskTable table(SamplePattern::standard(100, Weighting::uniform), {.resolution = 32});
+  PassOnMesh pass = make_pass(mesh_, table);
+  const RayOptions options{.radius = 1.0f, .jitter = {.rotation = 1}};
+  const std::vector<std::uint64_t> masks = draw(pass, options);
+  expect_close(masks, g_buffer_->receivers(), table.pattern(), options);
+}
+
 TEST_F(ExactMasks, HaveFrom1To1024Rays) {
   const int width = 64, height = 48;
   const GBufferPass g_buffer(mesh_, camera_, width, height);

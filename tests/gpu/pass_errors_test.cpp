@@ -163,6 +163,7 @@ TEST_F(PassErrors, NameFormatsAndWhyTheyCannotBe) {
   expect(&GBuffer::linear_depth, GL_R16, "linear_depth cannot be in GL_R16: it holds 0 to 1 only");
   expect(&GBuffer::linear_depth, GL_DEPTH_COMPONENT32F, "linear_depth cannot be in GL_DEPTH_COMPONENT32F");
   const Texture red = make_image(GL_R16F, kSize, kSize), half = make_image(GL_RG16F, kSize, kSize);
+  const Texture no_image = make_image(GL_RGB8, kSize, kSize);
   GBuffer packed = g_buffer();
   packed.normals = red.name();
   packed.normal_encoding = NormalEncoding::octahedral;
@@ -171,7 +172,7 @@ TEST_F(PassErrors, NameFormatsAndWhyTheyCannotBe) {
   packed.normal_encoding = NormalEncoding::xy;
   expect_error<std::invalid_argument>("normal_space", [&] { pass.draw(packed, camera, {.radius = 1.0f}); });
   pass.draw(g_buffer(), camera, {.radius = 1.0f});
-  expect_error<std::invalid_argument>("not GL_RG16F", [&] { pass.resolve({.occlusion = {half.name()}}); });
+  expect_error<std::invalid_argument>("format GL_RGB8;", [&] { pass.resolve({.occlusion = {no_image.name()}}); });
 }
 
 TEST_F(PassErrors, NameTheCamerasFault) {

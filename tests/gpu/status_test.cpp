@@ -33,7 +33,12 @@ TEST_F(Statuses, AreGoodWhereACallWorks) {
   EXPECT_TRUE(pass->try_resolve({.occlusion = {target.name()}}));
   std::optional<BilateralFilter> filter = BilateralFilter::try_make({}, status);
   ASSERT_TRUE(filter && status) << status.message;
-  EXPECT_TRUE(filter->try_filter(g_buffer_->by_positions(), camera_, target.name(), {target.name()}));
+  EXPECT_TRUE(filter->try_filter(g_buffer_->by_positions(), camera_, {target.name()}, {target.name()}));
+  GBuffer half = g_buffer_->by_positions();
+  half.step = 2;
+  const Texture samples = make_image(GL_R8, 16, 12);
+  EXPECT_TRUE(filter->try_upsample(half, camera_, {samples.name()}, {target.name()}));
+  EXPECT_THAT(filter->try_upsample(half, camera_, {target.name()}, {target.name()}).message, HasSubstr("16x12"));
 }
 
 TEST_F(Statuses, SayWhatWouldHaveBeenThrown) {

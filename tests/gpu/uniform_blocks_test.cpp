@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <string>
 
+#include "gpu/frame/target_block.h"
 #include "gpu/frame/view_block.h"
 #include "gpu/gl/program.h"
 #include "gpu/masks/mask_pass_block.h"
@@ -58,7 +59,10 @@ TEST_F(UniformBlocks, AreLaidOutAlike) {
   EXPECT_EQ(size_of(resolve, "MaskPassBlock"), static_cast<GLint>(sizeof(MaskPassBlock)));
   LKAO_EXPECT_OFFSET(resolve, MaskPassBlock, ray_count);
   LKAO_EXPECT_OFFSET(resolve, MaskPassBlock, jitter_tilt);
-  LKAO_EXPECT_OFFSET(resolve, MaskPassBlock, background);
+  LKAO_EXPECT_OFFSET(resolve, MaskPassBlock, writes_bent_normals);
+  EXPECT_EQ(size_of(resolve, "TargetBlock"), static_cast<GLint>(sizeof(TargetBlock)));
+  LKAO_EXPECT_OFFSET(resolve, TargetBlock, first_x);
+  LKAO_EXPECT_OFFSET(resolve, TargetBlock, background);
 
   const ProgramObject classify = make_program({"mesh/classify.comp"});
   LKAO_EXPECT_OFFSET(classify, ShapesBlock, reach);
@@ -72,7 +76,7 @@ TEST_F(UniformBlocks, AreLaidOutAlike) {
   const ProgramObject filter = make_program({"screen/bilateral.comp"});
   EXPECT_EQ(size_of(filter, "FilterBlock"), static_cast<GLint>(sizeof(FilterBlock)));
   LKAO_EXPECT_OFFSET(filter, FilterBlock, gauss);
-  LKAO_EXPECT_OFFSET(filter, FilterBlock, background);
+  LKAO_EXPECT_OFFSET(filter, FilterBlock, normal_sharpness);
   LKAO_EXPECT_OFFSET(filter, ViewBlock, view_from_clip);
   LKAO_EXPECT_OFFSET(filter, ViewBlock, view_from_world);
 }

@@ -13,7 +13,7 @@ namespace lkao::gl {
 
 struct BilateralFilterOptions {
   // Pixels on each side that are averaged, along rows and then along columns; 1 to 16. Weights fall as a Gauss curve
-  // that is a tenth at the last pixel.
+  // that is a tenth at the last pixel. Where upsampled: pixels of the result, and at least the step.
   int radius = 4;
   // How far from the plane of the pixel in the middle its neighbours may lie, in widths of a pixel there: the weight is
   // 1 / e at this distance. Above 0.
@@ -37,8 +37,8 @@ struct BilateralFilterSetup {
 // (joint bilateral filter); T. Pham, L. van Vliet, "Separable Bilateral Filtering for Fast Video Preprocessing",
 // ICME 2005; distances from planes instead of differences of depth, so that slanted surfaces stay whole.
 //
-// Context, state and errors as for MaskPass. Memory: 4 bytes a pixel for the result of the first direction, kept while
-// sizes stay.
+// Context, state and errors as for MaskPass. Memory: 4 bytes a pixel for the result of the first direction, of the
+// largest picture so far.
 class LKAO_API BilateralFilter {
  public:
   explicit BilateralFilter(const BilateralFilterSetup& setup = {});
@@ -46,16 +46,27 @@ class LKAO_API BilateralFilter {
   BilateralFilter(BilateralFilter&&) noexcept;
   BilateralFilter& operator=(BilateralFilter&&) noexcept;
 
-  // From the red component of `occlusion`, a texture of the G-buffer's size, to `to`; both may be the same texture.
-  // Costs 2 (2 radius + 1) reads of the G-buffer a pixel. Throws std::invalid_argument where a texture or an option is
-  // not what it should be.
-  void filter(const GBuffer& g_buffer, const Camera& camera, ObjectName occlusion, const OcclusionTarget& to,
+  // From what a pass wrote for this G-buffer to another target, or to the same: quantity, channel and part may differ,
+  // and `from` may be of any format that shaders read as floats. Costs 2 (2 radius + 1) reads of the G-buffer a pixel.
+  // Throws std::invalid_argument where a texture or an option is not what it should be.
+  void filter(const GBuffer& g_buffer, const Camera& camera, const OcclusionTarget& from, const OcclusionTarget& to,
               const BilateralFilterOptions& options = {});
+
+  // From what a pass wrote for this G-buffer, whose `step` is above 1, to all of its pixels: a mean of the samples
+  // within `radius`, weighted in the same way, in one go. What looks like no sample near by, such as a wire between
+  // two, takes the mean of all of them; what has none near by at all is open. `to` is of the G-buffer's width and
+  // height and must not lie on `from`. Costs (2 radius / step + 1)^2 reads of the G-buffer a pixel.
+  //
+  // Based on: J. Kopf et al., "Joint Bilateral Upsampling", SIGGRAPH 2007.
+  void upsample(const GBuffer& g_buffer, const Camera& camera, const OcclusionTarget& from, const OcclusionTarget& to,
+                const BilateralFilterOptions& options = {});
 
   // The same for programs without exceptions; `try_make` gives none where it fails.
   static std::optional<BilateralFilter> try_make(const BilateralFilterSetup& setup, Status& status) noexcept;
-  Status try_filter(const GBuffer& g_buffer, const Camera& camera, ObjectName occlusion, const OcclusionTarget& to,
-                    const BilateralFilterOptions& options = {}) noexcept;
+  Status try_filter(const GBuffer& g_buffer, const Camera& camera, const OcclusionTarget& from,
+                    const OcclusionTarget& to, const BilateralFilterOptions& options = {}) noexcept;
+  Status try_upsample(const GBuffer& g_buffer, const Camera& camera, const OcclusionTarget& from,
+                      const OcclusionTarget& to, const BilateralFilterOptions& options = {}) noexcept;
 
  private:
   struct State;

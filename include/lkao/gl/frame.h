@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include <glm/mat4x4.hpp>
 
@@ -41,6 +42,12 @@ enum class NormalEncoding {
   xy,
 };
 
+// Where a picture lies in textures that may be larger than it: the place of its pixel (0, 0). For dynamic resolution,
+// split screens and atlases.
+struct Part {
+  int x = 0, y = 0;
+};
+
 // The caller's textures, each GL_TEXTURE_2D of width x height; only read. Exactly one of the first three says where a
 // pixel's receiver is. A pixel has no receiver where its depth is the far end of the depth range, its position is not
 // finite, or its normal is zero or not finite.
@@ -63,14 +70,34 @@ struct GBuffer {
   ObjectName geometric_normals = 0;
   NormalSpace normal_space = NormalSpace::world;
   NormalEncoding normal_encoding = NormalEncoding::xyz;
+  // Given: all textures are larger than width x height, or as large, and this is the part that the camera sees.
+  std::optional<Part> part = {};
+  // 2 is half resolution, 4 a quarter: passes answer one pixel of each step x step, (step i, step j), and make pictures
+  // of picture_width() x picture_height() pixels (i, j). BilateralFilter::upsample makes whole ones of them. 1 to 16.
+  int step = 1;
+
+  // Of what passes make.
+  int picture_width() const { return (width - 1) / step + 1; }
+  int picture_height() const { return (height - 1) / step + 1; }
 };
 
-// Where occlusion is written: a texture of the caller, GL_TEXTURE_2D, level 0, of the G-buffer's size, in GL_R8,
-// GL_R16, GL_R16F or GL_R32F.
+// What a texture of occlusion holds: the blocked share, or 1 minus that.
+enum class Quantity { occlusion, visibility };
+
+enum class Channel { red, green, blue, alpha };
+
+// Where occlusion is written: one channel of a texture of the caller, GL_TEXTURE_2D, level 0, of the picture's size.
+// Others keep what they hold. Formats: those of 8 and 16 bits without a sign, of half and of 32-bit floats, with 1, 2
+// or 4 components, GL_RGB10_A2 (but for its alpha) and GL_R11F_G11F_B10F. Shaders cannot write to other formats, sRGB
+// and those of three components among them.
 struct OcclusionTarget {
   ObjectName texture = 0;
-  // What is written where there is no receiver.
+  // What is written where there is no receiver, in place of the quantity.
   float background = 0;
+  Quantity quantity = Quantity::occlusion;
+  Channel channel = Channel::red;
+  // Given: the texture is larger than the picture, or as large, and this is where the picture lies.
+  std::optional<Part> part = {};
 };
 
 }  // namespace lkao::gl

@@ -93,9 +93,9 @@ struct PixelReceiver {
 struct ResolveTargets {
   // Share of the cast rays that are blocked, 0 to 1.
   OcclusionTarget occlusion = {};
-  // A texture like that of the occlusion, but GL_RGBA16F or GL_RGBA32F: mean direction of the rays that are not
-  // blocked, a unit vector in world space, the pattern's axis where all are blocked; alpha 1. (0, 0, 0, 0) where there
-  // is no receiver.
+  // A texture of the same size, or with the same part, in GL_RGBA16F or GL_RGBA32F: mean direction of the rays that are
+  // not blocked, a unit vector in world space, the pattern's axis where all are blocked; alpha 1. (0, 0, 0, 0) where
+  // there is no receiver.
   ObjectName bent_normals = 0;
 };
 
@@ -122,8 +122,9 @@ class LKAO_API MaskPass {
   void set_table(const PlaneMaskTable& table);
 
   // Finds the masks. Needs a table. The receiver of pixel (x, y) casts the rays that the CPU's query casts for it with
-  // these options and the index y * width + x. The first frame whose occluders have ranges, or with a min_distance,
-  // copies more of the table, where its rays are of several lengths.
+  // these options and the index y * picture_width + x. Its own images grow to the largest picture so far, so that
+  // pictures of several sizes may take turns; a new MaskPass gives the memory back. The first frame whose occluders
+  // have ranges, or with a min_distance, copies more of the table, where its rays are of several lengths.
   //
   // With an infinite radius the pass finds on the GPU, in every frame, a power of two beyond the largest distance
   // between the bounds of occluders and pixels, and less than four times that. Every shape covers all receivers, so
@@ -135,15 +136,16 @@ class LKAO_API MaskPass {
   // The following are about the last draw(), and throw std::runtime_error where there was none.
 
   void resolve(const ResolveTargets& targets);
-  // SamplePattern::word_count() words for every pixel, row by row from y = 0, as OcclusionMask has them. Waits for the
-  // GPU.
+  // SamplePattern::word_count() words for every pixel of the picture, row by row from y = 0, as OcclusionMask has them.
+  // Waits for the GPU.
   std::vector<std::uint64_t> read_masks();
   // For every pixel, row by row. Waits for the GPU.
   std::vector<PixelReceiver> read_receivers();
   // Zeros unless MaskPassSetup::count_fragments. Waits for the GPU.
   FragmentCounts read_fragment_counts();
   // The masks themselves: a GL_TEXTURE_2D_ARRAY of GL_RGBA32UI, 128 rays a layer (ray i: layer i / 128, component
-  // i / 32 % 4, bit i % 32). The pass's own; valid until the next draw().
+  // i / 32 % 4, bit i % 32). The pass's own, and at least as large as the picture, which begins at texel (0, 0); valid
+  // until the next draw().
   ObjectName masks_texture() const;
 
   // The same for programs without exceptions; `try_make` gives none where it fails.

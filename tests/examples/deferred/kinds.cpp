@@ -48,6 +48,8 @@ constexpr Kind kKinds[] = {
      .place_format = GL_DEPTH_COMPONENT24,
      .normal_format = GL_RG16,
      .normal_encoding = NormalEncoding::octahedral},
+    {.name = "part of larger textures", .place = Place::depth, .place_format = GL_DEPTH_COMPONENT24, .is_part = true},
+    {.name = "half resolution", .place = Place::depth, .place_format = GL_DEPTH_COMPONENT24, .step = 2},
 };
 
 }  // namespace

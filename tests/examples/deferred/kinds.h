@@ -20,6 +20,8 @@ struct Kind {
   lkao::gl::NormalSpace normal_space = lkao::gl::NormalSpace::view;
   lkao::gl::NormalEncoding normal_encoding = lkao::gl::NormalEncoding::xyz;
   bool is_reversed = false;  // depth: 1 at the near plane, 0 at infinity
+  bool is_part = false;      // drawn to a part of larger textures, as for dynamic resolution
+  int step = 1;              // 2: occlusion at half resolution
 };
 
 // The first one is the tutorial's.

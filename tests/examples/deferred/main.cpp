@@ -108,12 +108,15 @@ void run(const Options& options) {
 
   lkao::gl::MaskPass pass;                                                                 // lkao, once
   pass.set_table(lkao::PlaneMaskTable(lkao::SamplePattern::standard(options.ray_count)));  // lkao
+  lkao::gl::BilateralFilter filter;                                                        // lkao, for half resolution
   const lkao::gl::Occluders occluders(mesh.positions, mesh.triangles);                     // lkao, for each mesh
   const lkao::RayOptions at_defaults{.radius = options.radius};                            // lkao
   const auto draw = [&](const Kind& kind, const lkao::RayOptions& rays) {
     renderer.draw_g_buffer(kind);
-    pass.draw(occluders, renderer.g_buffer(), renderer.camera(), rays);  // lkao
-    pass.resolve({.occlusion = {renderer.occlusion(), NAN}});            // lkao
+    const lkao::gl::OcclusionTarget whole{renderer.occlusion(), NAN}, half{renderer.half_occlusion()};
+    pass.draw(occluders, renderer.g_buffer(), renderer.camera(), rays);                                      // lkao
+    pass.resolve({.occlusion = kind.step == 1 ? whole : half});                                              // lkao
+    if (kind.step > 1) filter.upsample(renderer.g_buffer(), renderer.camera(), half, whole, {.radius = 2});  // lkao
     return renderer.read_occlusion();
   };
 

@@ -17,6 +17,8 @@ namespace {
 using examples::make_texture;
 
 constexpr float kNear = 0.1f, kFar = 50;
+// Where a picture lies that is a part of larger textures, and what they have beyond it.
+constexpr int kPartX = 37, kPartY = 21;
 
 constexpr const char* kVertexShader = R"(#version 450 core
 layout(location = 0) uniform mat4 view;
@@ -103,11 +105,12 @@ Renderer::Renderer(const lkao::scene::Mesh& mesh, const lkao::scene::Camera& cam
   program_ = examples::link(kVertexShader, kFragmentShader);
   glCreateFramebuffers(1, &framebuffer_);
   occlusion_ = make_texture(GL_R32F, width, height);
+  half_occlusion_ = make_texture(GL_R32F, (width + 1) / 2, (height + 1) / 2);
 }
 
 Renderer::~Renderer() {
   delete_textures();
-  glDeleteTextures(1, &occlusion_);
+  for (const GLuint texture : {occlusion_, half_occlusion_}) glDeleteTextures(1, &texture);
   glDeleteFramebuffers(1, &framebuffer_);
   glDeleteProgram(program_);
   glDeleteVertexArrays(1, &vertex_array_);
@@ -121,9 +124,10 @@ void Renderer::delete_textures() {
 void Renderer::make_textures() {
   delete_textures();
   const bool has_depth = kind_.place == Place::depth;
-  depth_ = make_texture(has_depth ? kind_.place_format : GL_DEPTH_COMPONENT24, width_, height_);
-  place_ = has_depth ? 0 : make_texture(kind_.place_format, width_, height_);
-  normals_ = make_texture(kind_.normal_format, width_, height_);
+  const int width = width_ + (kind_.is_part ? 2 * kPartX : 0), height = height_ + (kind_.is_part ? 2 * kPartY : 0);
+  depth_ = make_texture(has_depth ? kind_.place_format : GL_DEPTH_COMPONENT24, width, height);
+  place_ = has_depth ? 0 : make_texture(kind_.place_format, width, height);
+  normals_ = make_texture(kind_.normal_format, width, height);
   glNamedFramebufferTexture(framebuffer_, GL_DEPTH_ATTACHMENT, depth_, 0);
   glNamedFramebufferTexture(framebuffer_, GL_COLOR_ATTACHMENT0, place_, 0);
   glNamedFramebufferTexture(framebuffer_, GL_COLOR_ATTACHMENT1, normals_, 0);
@@ -135,7 +139,7 @@ void Renderer::draw_g_buffer(const Kind& kind) {
   kind_ = kind;
   make_textures();
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
-  glViewport(0, 0, width_, height_);
+  glViewport(kind.is_part ? kPartX : 0, kind.is_part ? kPartY : 0, width_, height_);
   glDepthMask(GL_TRUE);
   const float zeros[4] = {}, depth = kind.is_reversed ? 0.0f : 1.0f;
   for (int i = 0; i < 2; ++i) glClearNamedFramebufferfv(framebuffer_, GL_COLOR, i, zeros);
@@ -166,6 +170,8 @@ lkao::gl::GBuffer Renderer::g_buffer() const {
   g_buffer.position_space = kind_.position_space;
   g_buffer.normal_space = kind_.normal_space;
   g_buffer.normal_encoding = kind_.normal_encoding;
+  if (kind_.is_part) g_buffer.part = lkao::gl::Part{kPartX, kPartY};
+  g_buffer.step = kind_.step;
   return g_buffer;
 }
 

@@ -27,7 +27,9 @@ class Renderer {
   // Of the last draw_g_buffer().
   lkao::gl::GBuffer g_buffer() const;
   lkao::gl::Camera camera() const;
-  unsigned occlusion() const { return occlusion_; }  // GL_R32F
+  // GL_R32F; the second of half the size.
+  unsigned occlusion() const { return occlusion_; }
+  unsigned half_occlusion() const { return half_occlusion_; }
 
   // The texture of occlusion, row by row from the bottom.
   std::vector<float> read_occlusion() const;
@@ -41,7 +43,8 @@ class Renderer {
   float horizontal_scale_;  // of the projection
   Kind kind_{};
   unsigned vertices_ = 0, vertex_array_ = 0, program_ = 0;
-  unsigned framebuffer_ = 0, place_ = 0, depth_ = 0, normals_ = 0, occlusion_ = 0;
+  unsigned framebuffer_ = 0, place_ = 0, depth_ = 0, normals_ = 0;
+  unsigned occlusion_ = 0, half_occlusion_ = 0;
 };
 
 }  // namespace deferred

@@ -1,0 +1,37 @@
+// What the cross-bilateral filter knows of a pixel, and how it weighs another (include/lkao/gl/bilateral_filter.h).
+#define LKAO_DOUBLE 0
+#include "gpu/frame/g_buffer.glsl"
+#include "gpu/screen/filter_block.h"
+#include "gpu/screen/units.h"
+
+layout(binding = LKAO_UNIT_UNFILTERED) uniform sampler2D unfiltered;
+
+struct Surface {
+  vec3 position, normal;  // the normal of unit length
+};
+
+// False where there is none.
+bool find_surface(ivec2 pixel, out Surface surface) {
+  if (!find_position(pixel, surface.position) || !is_position_in_range(surface.position)) return false;
+  vec3 normal = read_normal(pixel);
+  float largest = max(abs(normal.x), max(abs(normal.y), abs(normal.z)));
+  if (largest == 0.0) return false;
+  // Normals may be of any length: first of one whose square is a float.
+  surface.normal = normalize(normal / largest);
+  return true;
+}
+
+float pixel_width(Surface surface) { return view.pixel_size * (is_perspective() ? -surface.position.z : 1.0); }
+
+// How much a surface belongs to that in the middle, whose pixels are so wide there.
+float likeness(Surface middle, Surface other, float width) {
+  float off_plane = dot(middle.normal, other.position - middle.position) / (pass.depth_tolerance * width);
+  float alike =
+      pass.normal_sharpness > 0.0 ? pow(max(dot(middle.normal, other.normal), 0.0), pass.normal_sharpness) : 1.0;
+  return exp(-off_plane * off_plane) * alike;
+}
+
+float read_occlusion(ivec2 place) {
+  float value = texelFetch(unfiltered, ivec2(pass.source_x, pass.source_y) + place, 0)[pass.source_channel];
+  return pass.source_is_visibility != 0 ? 1.0 - value : value;
+}
