@@ -2,6 +2,7 @@
 // From accessibility to occlusion, perhaps compensated.
 //
 // Based on: M. McGuire, "Ambient Occlusion Volumes", HPG 2010, Sec. 5.4.
+#include "gpu/frame/target.glsl"
 #include "gpu/frame/view.glsl"
 #include "gpu/volumes/units.h"
 #include "gpu/volumes/volume_pass_block.h"
@@ -9,16 +10,16 @@
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(binding = LKAO_UNIT_ORIGINS) uniform sampler2D origins;
 layout(binding = LKAO_UNIT_ACCESSIBILITY) uniform sampler2D accessibility;
-layout(binding = 0) writeonly uniform image2D occlusion;
 
 void main() {
   ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
   if (is_outside(pixel)) return;
-  float result = pass.background;
-  if (texelFetch(origins, pixel, 0).w > 0.0) {
-    // Floats do not saturate by themselves.
-    float o = clamp(1.0 - texelFetch(accessibility, pixel, 0).x, 0.0, 1.0);
-    result = clamp(o * (pass.compensation.x + o * (pass.compensation.y + o * pass.compensation.z)), 0.0, 1.0);
+  if (texelFetch(origins, pixel, 0).w == 0.0) {
+    write_background(pixel);
+    return;
   }
-  imageStore(occlusion, pixel, vec4(result, 0, 0, 1));
+  // Floats do not saturate by themselves.
+  float o = clamp(1.0 - texelFetch(accessibility, pixel, 0).x, 0.0, 1.0);
+  float compensated = o * (pass.compensation.x + o * (pass.compensation.y + o * pass.compensation.z));
+  write_occlusion(pixel, clamp(compensated, 0.0, 1.0));
 }

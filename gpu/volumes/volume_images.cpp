@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "gpu/frame/grown_size.h"
 #include "gpu/gl/error.h"
 #include "gpu/volumes/units.h"
 
@@ -44,16 +45,26 @@ void bind_texture(GLuint unit, const Texture& texture, const Sampler& sampler) {
 
 }  // namespace
 
-VolumeImages::VolumeImages(int width, int height, Accessibility format, bool with_ups)
-    : width_(width),
-      height_(height),
-      origins_(make_image(GL_RGBA32F, width, height)),
-      axes_(make_image(GL_RGBA32F, width, height)),
-      depth_(make_image(GL_DEPTH_COMPONENT32F, width, height)),
-      accessibility_(make_image(format_of(format), width, height)),
-      receivers_framebuffer_(make_framebuffer()),
-      accessibility_framebuffer_(make_framebuffer()) {
+void VolumeImages::make_room(int width, int height, Accessibility format, bool with_ups) {
+  const bool fits = width <= texture_width_ && height <= texture_height_ && with_ups == static_cast<bool>(ups_);
+  if (!fits) {
+    const Size size = grown_size({width, height}, {texture_width_, texture_height_});
+    // The old ones first: there may not be room for both.
+    *this = VolumeImages();
+    allocate(size.width, size.height, format, with_ups);
+  }
+  width_ = width;
+  height_ = height;
+}
+
+void VolumeImages::allocate(int width, int height, Accessibility format, bool with_ups) {
+  origins_ = make_image(GL_RGBA32F, width, height);
+  axes_ = make_image(GL_RGBA32F, width, height);
   if (with_ups) ups_ = make_image(GL_RGBA32F, width, height);
+  depth_ = make_image(GL_DEPTH_COMPONENT32F, width, height);
+  accessibility_ = make_image(format_of(format), width, height);
+  receivers_framebuffer_ = make_framebuffer();
+  accessibility_framebuffer_ = make_framebuffer();
   const std::array<GLenum, 3> attachments = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1, GL_COLOR_ATTACHMENT2};
   const GLuint receivers = receivers_framebuffer_.name(), result = accessibility_framebuffer_.name();
   glNamedFramebufferTexture(receivers, attachments[0], origins_.name(), 0);
@@ -66,23 +77,22 @@ VolumeImages::VolumeImages(int width, int height, Accessibility format, bool wit
   check_errors("making the images of volumes");
   require_complete(receivers_framebuffer_, width, height);
   require_complete(accessibility_framebuffer_, width, height);
+  texture_width_ = width;
+  texture_height_ = height;
 }
 
-bool VolumeImages::fit(int width, int height, bool with_ups) const {
-  return width == width_ && height == height_ && with_ups == static_cast<bool>(ups_);
-}
-
-void VolumeImages::bind_receivers() const {
-  glBindFramebuffer(GL_FRAMEBUFFER, receivers_framebuffer_.name());
+void VolumeImages::bind_framebuffer(const Framebuffer& framebuffer) const {
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.name());
   glViewportIndexedf(0, 0.0f, 0.0f, static_cast<GLfloat>(width_), static_cast<GLfloat>(height_));
 }
+
+void VolumeImages::bind_receivers() const { bind_framebuffer(receivers_framebuffer_); }
 
 void VolumeImages::bind_accessibility(const Sampler& plain_sampler) const {
   bind_texture(LKAO_UNIT_ORIGINS, origins_, plain_sampler);
   bind_texture(LKAO_UNIT_AXES, axes_, plain_sampler);
   bind_texture(LKAO_UNIT_UPS, ups_, plain_sampler);
-  glBindFramebuffer(GL_FRAMEBUFFER, accessibility_framebuffer_.name());
-  glViewportIndexedf(0, 0.0f, 0.0f, static_cast<GLfloat>(width_), static_cast<GLfloat>(height_));
+  bind_framebuffer(accessibility_framebuffer_);
   const GLfloat all[4] = {1, 1, 1, 1};
   glClearNamedFramebufferfv(accessibility_framebuffer_.name(), GL_COLOR, 0, all);
 }

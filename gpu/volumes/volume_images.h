@@ -6,14 +6,12 @@
 
 namespace lkao::gl {
 
+// Of a picture, in textures that may be larger, as MaskImages has them.
 class VolumeImages {
  public:
-  VolumeImages() = default;
-  // Throws std::runtime_error where the driver cannot have them.
-  VolumeImages(int width, int height, Accessibility format, bool with_ups);
+  // `with_ups`: geometric normals are wanted. Throws std::runtime_error where the driver cannot have such images.
+  void make_room(int width, int height, Accessibility format, bool with_ups);
 
-  // False for those that were made without arguments. `with_ups`: geometric normals are wanted.
-  bool fit(int width, int height, bool with_ups) const;
   int width() const { return width_; }
   int height() const { return height_; }
 
@@ -25,8 +23,11 @@ class VolumeImages {
   void bind_result(const Sampler& plain_sampler) const;
 
  private:
-  int width_ = 0;
-  int height_ = 0;
+  void allocate(int width, int height, Accessibility format, bool with_ups);
+  void bind_framebuffer(const Framebuffer& framebuffer) const;
+
+  int width_ = 0, height_ = 0;                  // of the picture
+  int texture_width_ = 0, texture_height_ = 0;  // 0: there are none
   Texture origins_, axes_, ups_, depth_, accessibility_;
   Framebuffer receivers_framebuffer_, accessibility_framebuffer_;
 };

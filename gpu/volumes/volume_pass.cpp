@@ -49,12 +49,12 @@ void VolumePass::draw(const Occluders& occluders, const GBuffer& g_buffer, const
   const MeshBuffers& mesh = occluders.buffers();
   check_volumes(mesh, options, volumes);
   validate(g_buffer);
-  validate(to, g_buffer.width, g_buffer.height);
+  validate(to, g_buffer.picture_width(), g_buffer.picture_height());
   const StateKeeper keeper(kVolumesUse, state.setup.keep_state);
   state.is_drawn = false;
   state.make_images(g_buffer);
   state.wait_for_last_frame();
-  state.describe(mesh, g_buffer, camera, options, to, volumes);
+  state.describe(mesh, g_buffer, camera, options, volumes);
   state.bind_inputs(g_buffer);
   state.check_inputs(g_buffer, options);
   state.find_volumes(mesh);

@@ -7,7 +7,6 @@
 LKAO_BLOCK_BEGIN(VolumePassBlock, LKAO_BLOCK_PASS)
 vec4 compensation;  // occlusion o becomes x o + y o^2 + z o^3
 int clamps_extensions;
-float background;  // the occlusion where there is no receiver
 LKAO_BLOCK_END(pass)
 
 #endif

@@ -17,7 +17,7 @@ namespace {
 
 // By unit.
 constexpr GLenum kVolumeTextureTargets[] = {
-    GL_TEXTURE_2D,     GL_TEXTURE_2D,     GL_TEXTURE_2D,                         // frame
+    GL_TEXTURE_2D,     GL_TEXTURE_2D,     GL_TEXTURE_2D,     GL_TEXTURE_2D,      // frame
     GL_TEXTURE_BUFFER, GL_TEXTURE_BUFFER, GL_TEXTURE_BUFFER, GL_TEXTURE_BUFFER,  // mesh
     GL_TEXTURE_BUFFER, GL_TEXTURE_BUFFER, GL_TEXTURE_BUFFER,                     // mesh
     GL_TEXTURE_2D,     GL_TEXTURE_2D,     GL_TEXTURE_2D,     GL_TEXTURE_2D,      // volumes
@@ -45,7 +45,7 @@ ProgramObject make_volume_program(const VolumePassSetup& setup, bool has_two_hor
 }  // namespace
 
 const StateUse kVolumesUse{.texture_targets = kVolumeTextureTargets,
-                           .image_count = 1,
+                           .image_count = LKAO_FRAME_IMAGE_COUNT,
                            .storage_count = LKAO_MESH_STORAGE_COUNT,
                            .block_count = LKAO_BLOCK_COUNT,
                            .counts = true,
@@ -69,11 +69,8 @@ VolumePass::State::State(const VolumePassSetup& wanted)
 }
 
 void VolumePass::State::make_images(const GBuffer& g_buffer) {
-  const bool with_ups = g_buffer.geometric_normals != 0;
-  if (images.fit(g_buffer.width, g_buffer.height, with_ups)) return;
-  // The old ones first: there may not be room for both.
-  images = VolumeImages();
-  images = VolumeImages(g_buffer.width, g_buffer.height, setup.accessibility, with_ups);
+  images.make_room(g_buffer.picture_width(), g_buffer.picture_height(), setup.accessibility,
+                   g_buffer.geometric_normals != 0);
 }
 
 // The last frame may still be reading what this one is about to write (as in MaskPass).
@@ -82,11 +79,11 @@ void VolumePass::State::wait_for_last_frame() const {
 }
 
 void VolumePass::State::describe(const MeshBuffers& mesh, const GBuffer& g_buffer, const Camera& camera,
-                                 const RayOptions& options, const OcclusionTarget& to, const VolumeOptions& wanted) {
+                                 const RayOptions& options, const VolumeOptions& wanted) {
   view = make_view_block(g_buffer, camera);
 
   shapes = {};
-  set_camera(camera, view, options.radius, shapes);
+  set_camera(camera, pixels_of(g_buffer), view, options.radius, shapes);
   shapes.is_two_sided = options.sidedness == Sidedness::two_sided;
   shapes.has_opacities = mesh.has_opacities();
   // No billboard for any. What is kept must not depend on the camera.
@@ -99,7 +96,6 @@ void VolumePass::State::describe(const MeshBuffers& mesh, const GBuffer& g_buffe
   block = {};
   block.compensation = glm::vec4(wanted.compensation, 0);
   block.clamps_extensions = wanted.clamps_extensions;
-  block.background = to.background;
 }
 
 void VolumePass::State::bind_inputs(const GBuffer& g_buffer) const {
@@ -165,7 +161,7 @@ void VolumePass::State::draw_volumes(const MeshBuffers& mesh, const Camera& came
 
 void VolumePass::State::resolve(const OcclusionTarget& to) const {
   images.bind_result(plain_sampler);
-  bind_image(0, to.texture);
+  bind(to, target_buffer, plain_sampler);
   glUseProgram(resolve_program.name());
   begin_writing_targets();
   dispatch_over_pixels(images.width(), images.height());

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "gpu/frame/g_buffer_check.h"
+#include "gpu/frame/target_block.h"
 #include "gpu/frame/view_block.h"
 #include "gpu/gl/objects.h"
 #include "gpu/gl/program.h"
@@ -30,7 +31,7 @@ struct VolumePass::State {
   void make_images(const GBuffer& g_buffer);
   void wait_for_last_frame() const;
   void describe(const MeshBuffers& mesh, const GBuffer& g_buffer, const Camera& camera, const RayOptions& options,
-                const OcclusionTarget& to, const VolumeOptions& volumes);
+                const VolumeOptions& volumes);
   void bind_inputs(const GBuffer& g_buffer) const;
   void check_inputs(const GBuffer& g_buffer, const RayOptions& options);
   void find_volumes(const MeshBuffers& mesh);
@@ -54,6 +55,7 @@ struct VolumePass::State {
   UniformBuffer<ViewBlock> view_buffer;
   UniformBuffer<ShapesBlock> shapes_buffer;
   UniformBuffer<VolumePassBlock> block_buffer;
+  UniformBuffer<TargetBlock> target_buffer;
   Buffer counters;
   Sampler plain_sampler;
   VertexArray no_attributes;

@@ -66,6 +66,12 @@ const Setting& geometry_setting() {
   return setting;
 }
 
+const Setting& sparse_setting() {
+  static const Setting setting{"sparse", "Draw one pixel of so many x so many, and find the others by a filter",
+                               Range{1, 16}, "1"};
+  return setting;
+}
+
 Abilities abilities(const Settings&) {
   return {.masks = false,
           .bent_normals = false,
@@ -138,7 +144,8 @@ class VolumesMethod : public Method {
     rasterizer_.start_pass({.geometry = settings_.value(geometry_setting(), kGeometryWords),
                             .accessibility = settings_.value(accessibility_setting(), kAccessibilityWords),
                             .keeps_volumes = settings_.value(volumes_setting(), kVolumesWords) == Volumes::kept,
-                            .count_fragments = counts});
+                            .count_fragments = counts},
+                           static_cast<int>(settings_.number(sparse_setting())));
   }
 
   // What a driver leaves to the first frame, such as compiling shaders, and volumes that are kept; with next to nothing
@@ -156,7 +163,7 @@ class VolumesMethod : public Method {
                                 {"fragments_inside", fragments_.inside},
                                 {"fragments_blended", fragments_.blended}};
     for (const Setting* setting :
-         {&clamp_setting(), &accessibility_setting(), &compensation_setting(), &volumes_setting()}) {
+         {&clamp_setting(), &accessibility_setting(), &compensation_setting(), &volumes_setting(), &sparse_setting()}) {
       keys[setting->name] = settings_.text(*setting);
     }
     return keys;
@@ -180,7 +187,8 @@ MethodKind volumes_kind() {
               "OpenGL, which sums up what each triangle covers of the sky (ambient occlusion volumes; needs "
               "--falloff linear)",
           .settings = {&device_setting(), &delta_setting(), &clamp_setting(), &accessibility_setting(),
-                       &compensation_setting(), &opacity_setting(), &volumes_setting(), &geometry_setting()},
+                       &compensation_setting(), &opacity_setting(), &volumes_setting(), &geometry_setting(),
+                       &sparse_setting()},
           .abilities = abilities,
           .open = [](const Settings& settings) -> std::unique_ptr<Method> {
             return std::make_unique<VolumesMethod>(settings);

@@ -2,9 +2,11 @@
 
 #include <epoxy/gl.h>
 
+#include <algorithm>
 #include <chrono>
 #include <stdexcept>
 
+#include "gpu/gl/objects.h"
 #include "raster/camera.h"
 
 namespace lkao::raster {
@@ -23,9 +25,11 @@ void VolumeRasterizer::set_occluders(const scene::Mesh& mesh, float opacity) {
   if (opacity < 1) occluders_->set_opacities(std::vector<float>(mesh.triangles.size(), opacity));
 }
 
-void VolumeRasterizer::start_pass(const gl::VolumePassSetup& setup) {
+void VolumeRasterizer::start_pass(const gl::VolumePassSetup& setup, int step) {
   pass_.reset();
   pass_.emplace(setup);
+  if (step > 1 && !filter_) filter_.emplace();
+  step_ = step;
 }
 
 gl::VolumePass& VolumeRasterizer::pass() {
@@ -37,14 +41,23 @@ double VolumeRasterizer::draw(const RayOptions& options, const gl::VolumeOptions
   using Clock = std::chrono::steady_clock;
   gl::VolumePass& pass = this->pass();
   if (!textures_ || !occluders_) throw std::runtime_error("no view or no occluders to draw");
-  const gl::GBuffer g_buffer = textures_->g_buffer();
+  gl::GBuffer g_buffer = textures_->g_buffer();
+  g_buffer.step = step_;
   const gl::OcclusionTarget target = textures_->targets(false).occlusion;
+  gl::OcclusionTarget drawn = target;
+  gl::Texture samples;
+  if (step_ > 1) {
+    samples = gl::make_texture(GL_TEXTURE_2D);
+    glTextureStorage2D(samples.name(), 1, GL_R32F, g_buffer.picture_width(), g_buffer.picture_height());
+    drawn.texture = samples.name();
+  }
   // The textures have the receivers as they are.
   RayOptions rays = options;
   if (rays.surface_offset == kAutomaticSurfaceOffset) rays.surface_offset = kQuerySurfaceOffset;
   glFinish();
   const Clock::time_point start = Clock::now();
-  pass.draw(*occluders_, g_buffer, camera_, rays, target, volumes);
+  pass.draw(*occluders_, g_buffer, camera_, rays, drawn, volumes);
+  if (step_ > 1) filter_->upsample(g_buffer, camera_, drawn, target, {.radius = std::max(4, step_)});
   glFinish();
   return std::chrono::duration<double>(Clock::now() - start).count();
 }

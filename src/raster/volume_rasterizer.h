@@ -24,7 +24,8 @@ class VolumeRasterizer {
   void set_view(const scene::Camera& camera, const scene::ReceiverImage& image);
   // All of one opacity.
   void set_occluders(const scene::Mesh& mesh, float opacity = 1);
-  void start_pass(const gl::VolumePassSetup& setup);
+  // Of step x step pixels one is drawn, and the others are found by the cross-bilateral filter; 1: all are drawn.
+  void start_pass(const gl::VolumePassSetup& setup, int step = 1);
   // To read what the last frame left. Needs start_pass().
   gl::VolumePass& pass();
 
@@ -39,6 +40,8 @@ class VolumeRasterizer {
   std::optional<ViewTextures> textures_;
   std::optional<gl::Occluders> occluders_;
   std::optional<gl::VolumePass> pass_;
+  std::optional<gl::BilateralFilter> filter_;
+  int step_ = 1;
 };
 
 }  // namespace lkao::raster

@@ -71,7 +71,6 @@ TEST_F(UniformBlocks, AreLaidOutAlike) {
   const ProgramObject volumes = make_program({"volumes/resolve.comp"});
   EXPECT_EQ(size_of(volumes, "VolumePassBlock"), static_cast<GLint>(sizeof(VolumePassBlock)));
   LKAO_EXPECT_OFFSET(volumes, VolumePassBlock, compensation);
-  LKAO_EXPECT_OFFSET(volumes, VolumePassBlock, background);
 
   const ProgramObject filter = make_program({"screen/bilateral.comp"});
   EXPECT_EQ(size_of(filter, "FilterBlock"), static_cast<GLint>(sizeof(FilterBlock)));
