@@ -50,11 +50,13 @@ std::vector<VolumesVariant> back_ends() {
           {"kept, geometry shader", {{"volumes", "kept"}, {"geometry", "geometry_shader"}}}};
 }
 
-constexpr method::Word<std::vector<VolumesVariant> (*)()> kVolumeStudies[] = {{"deltas", deltas},
-                                                                              {"formats", formats},
-                                                                              {"clamps", clamps},
-                                                                              {"compensations", compensations},
-                                                                              {"back_ends", back_ends}};
+std::vector<VolumesVariant> sparse() {
+  return {{"all pixels", {}}, {"one of 2 x 2", {{"sparse", "2"}}}, {"one of 3 x 3", {{"sparse", "3"}}}};
+}
+
+constexpr method::Word<std::vector<VolumesVariant> (*)()> kVolumeStudies[] = {
+    {"deltas", deltas},       {"formats", formats}, {"clamps", clamps}, {"compensations", compensations},
+    {"back_ends", back_ends}, {"sparse", sparse}};
 
 Columns volumes_csv_columns() {
   return {{"scene"},

@@ -2,7 +2,6 @@
 
 #include <epoxy/gl.h>
 
-#include <algorithm>
 #include <chrono>
 #include <stdexcept>
 
@@ -57,7 +56,7 @@ double VolumeRasterizer::draw(const RayOptions& options, const gl::VolumeOptions
   glFinish();
   const Clock::time_point start = Clock::now();
   pass.draw(*occluders_, g_buffer, camera_, rays, drawn, volumes);
-  if (step_ > 1) filter_->upsample(g_buffer, camera_, drawn, target, {.radius = std::max(4, step_)});
+  if (step_ > 1) filter_->upsample(g_buffer, camera_, drawn, target, {.radius = step_});
   glFinish();
   return std::chrono::duration<double>(Clock::now() - start).count();
 }

@@ -239,6 +239,32 @@ TEST_F(VolumesOnRoom, AreTheSameOnEveryKindOfGBuffer) {
   }
 }
 
+TEST_F(VolumesOnRoom, TakeEveryNthPixelAndPartsOfTextures) {
+  const Occluders occluders = this->occluders();
+  VolumePass pass({.accessibility = Accessibility::bits32});
+  const RayOptions options = options_of(0.8f, true);
+  const std::vector<float> whole = draw(pass, occluders, g_buffer_->by_positions(), camera_, options);
+  for (const int step : {1, 2, 5}) {
+    GBuffer textures = g_buffer_->by_positions();
+    textures.step = step;
+    const int width = textures.picture_width(), height = textures.picture_height();
+    // Into the green of a part of a larger texture, as visibility.
+    const Texture target = make_image(GL_RGBA16F, width + 5, height + 9);
+    pass.draw(occluders, textures, camera_, options,
+              {target.name(), -1, Quantity::visibility, Channel::green, Part{3, 7}});
+    const std::vector<glm::vec4> texels = read_image(target.name(), width + 5, height + 9);
+    for (int y = 0; y < height; ++y) {
+      for (int x = 0; x < width; ++x) {
+        const glm::vec4& texel = texels[static_cast<std::size_t>((y + 7) * (width + 5) + x + 3)];
+        const float expected = whole[static_cast<std::size_t>(step * y * kWidth + step * x)];
+        // Rounding may put a receiver on the other side of a clamped volume's cut.
+        EXPECT_NEAR(texel.y, expected < 0 ? -1 : 1 - expected, 0.02f) << x << ", " << y << ", step " << step;
+        EXPECT_EQ(texel.x, 0);
+      }
+    }
+  }
+}
+
 TEST_F(VolumesOnRoom, CompensationIsThePolynomial) {
   const Occluders occluders = this->occluders();
   VolumePass pass({.accessibility = Accessibility::bits32});
