@@ -34,7 +34,7 @@ std::vector<VolumesVariant> deltas() {
 }
 
 std::vector<VolumesVariant> formats() {
-  return {{"8 bits, the paper's", {{"accessibility", "8"}}},
+  return {{"8 bits (the paper's)", {{"accessibility", "8"}}},
           {"16 bits", {{"accessibility", "16"}}},
           {"32 bits", {{"accessibility", "32"}}}};
 }
@@ -43,25 +43,31 @@ std::vector<VolumesVariant> clamps() { return {{"clamped", {}}, {"not clamped", 
 
 std::vector<VolumesVariant> compensations() { return {{"raw", {}}, {"compensated", {{"compensation", "fitted"}}}}; }
 
-std::vector<VolumesVariant> back_ends() {
-  return {{"every frame, vertex pulling", {}},
-          {"kept, vertex pulling", {{"volumes", "kept"}}},
-          {"every frame, geometry shader", {{"geometry", "geometry_shader"}}},
-          {"kept, geometry shader", {{"volumes", "kept"}, {"geometry", "geometry_shader"}}}};
+std::vector<VolumesVariant> volume_back_ends() {
+  std::vector<VolumesVariant> variants;
+  for (const char* volumes : {"every_frame", "kept"}) {
+    for (const char* geometry : {"vertex_pulling", "geometry_shader"}) {
+      variants.push_back({fmt::format("{} + {}", volumes, geometry), {{"volumes", volumes}, {"geometry", geometry}}});
+    }
+  }
+  return variants;
 }
 
 std::vector<VolumesVariant> sparse() {
   return {{"all pixels", {}}, {"one of 2 x 2", {{"sparse", "2"}}}, {"one of 3 x 3", {{"sparse", "3"}}}};
 }
 
-constexpr method::Word<std::vector<VolumesVariant> (*)()> kVolumeStudies[] = {
-    {"deltas", deltas},       {"formats", formats}, {"clamps", clamps}, {"compensations", compensations},
-    {"back_ends", back_ends}, {"sparse", sparse}};
+constexpr method::Word<std::vector<VolumesVariant> (*)()> kVolumeStudies[] = {{"deltas", deltas},
+                                                                              {"formats", formats},
+                                                                              {"clamps", clamps},
+                                                                              {"compensations", compensations},
+                                                                              {"back_ends", volume_back_ends},
+                                                                              {"sparse", sparse}};
 
 Columns volumes_csv_columns() {
   return {{"scene"},
           {"triangles"},
-          {"radius", "{:g}"},
+          {"radius", "{:.6g}"},
           {"study"},
           {"variant"},
           {"milliseconds", "{:.5g}"},
@@ -77,7 +83,7 @@ Columns volumes_csv_columns() {
 Columns volumes_table_columns() {
   return {{"scene", "{}", -12},
           {"triangles", "{}", 9},
-          {"radius", "{:g}", 6},
+          {"radius", "{:.4g}", 7},
           {"variant", "{}", -28},
           kBar,
           {"milliseconds", "{:.1f}", 8, "ms"},

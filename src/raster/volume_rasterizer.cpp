@@ -37,7 +37,7 @@ gl::VolumePass& VolumeRasterizer::pass() {
 }
 
 double VolumeRasterizer::draw(const RayOptions& options, const gl::VolumeOptions& volumes) {
-  using Clock = std::chrono::steady_clock;
+  using std::chrono::steady_clock;
   gl::VolumePass& pass = this->pass();
   if (!textures_ || !occluders_) throw std::runtime_error("no view or no occluders to draw");
   gl::GBuffer g_buffer = textures_->g_buffer();
@@ -54,11 +54,11 @@ double VolumeRasterizer::draw(const RayOptions& options, const gl::VolumeOptions
   RayOptions rays = options;
   if (rays.surface_offset == kAutomaticSurfaceOffset) rays.surface_offset = kQuerySurfaceOffset;
   glFinish();
-  const Clock::time_point start = Clock::now();
+  const steady_clock::time_point start = steady_clock::now();
   pass.draw(*occluders_, g_buffer, camera_, rays, drawn, volumes);
   if (step_ > 1) filter_->upsample(g_buffer, camera_, drawn, target, {.radius = step_});
   glFinish();
-  return std::chrono::duration<double>(Clock::now() - start).count();
+  return std::chrono::duration<double>(steady_clock::now() - start).count();
 }
 
 std::vector<float> VolumeRasterizer::read_occlusion() const { return textures_.value().read_occlusion(); }
