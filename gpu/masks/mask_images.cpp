@@ -2,11 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cstddef>
-#include <cstdint>
 #include <stdexcept>
 
+#include "gpu/frame/grown_size.h"
 #include "gpu/gl/error.h"
 
 namespace lkao::gl {
@@ -16,19 +15,6 @@ Texture make_layers(GLenum format, int width, int height, int layer_count) {
   Texture texture = make_texture(GL_TEXTURE_2D_ARRAY);
   glTextureStorage3D(texture.name(), 1, format, width, height, layer_count);
   return texture;
-}
-
-struct Size {
-  int width, height;
-};
-
-std::int64_t area(const Size& size) { return std::int64_t{size.width} * size.height; }
-
-// For a new picture beside those that fit into the old textures; for the new one alone where there would be more than
-// four times as many pixels, as for one wide and one high picture.
-Size grown_size(const Size& wanted, const Size& old) {
-  const Size both{std::max(wanted.width, old.width), std::max(wanted.height, old.height)};
-  return area(both) <= 4 * std::max(area(wanted), area(old)) ? both : wanted;
 }
 
 void require_storage(int width, int height) {

@@ -3,18 +3,14 @@
 // does it (query::make_rays), in the same precision.
 #define LKAO_DOUBLE 1
 #include "gpu/frame/g_buffer.glsl"
-#include "gpu/frame/position_error.glsl"
 #include "gpu/masks/jittered_frame.glsl"
 #include "gpu/masks/units.h"
 #include "gpu/mesh/extent.glsl"
-#include "gpu/mesh/shapes.glsl"
+#include "gpu/mesh/surface_offset.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
-layout(binding = LKAO_UNIT_LARGEST) uniform samplerBuffer largest_coordinate;
 layout(binding = 0, rgba32f) writeonly uniform image2DArray receivers;
-
-float largest_component(vec3 v) { return max(abs(v.x), max(abs(v.y), abs(v.z))); }
 
 void main() {
   ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
@@ -29,12 +25,7 @@ void main() {
     return;
   }
   vec3 up = vec3(unit(geometric));
-  float largest = texelFetch(largest_coordinate, 0).x;
-  precise float offset = shapes.relative_surface_offset * max(largest_component(position), largest);
-  if (shapes.is_offset_automatic != 0) {
-    float in_play = max(largest_component(position), largest);
-    offset += min(error_along(up, position, in_play), largest_added_offset());
-  }
+  precise float offset = surface_offset(position, up);
   precise vec3 origin = position + up * offset;
   if (shapes.is_unbounded != 0) include_point(kOrigins, origin);
   uint index = uint(pixel.y) * uint(view.width) + uint(pixel.x);

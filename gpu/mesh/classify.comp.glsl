@@ -16,6 +16,7 @@ layout(std430, binding = LKAO_STORAGE_PRISMS) writeonly buffer Prisms { uint pri
 layout(std430, binding = LKAO_STORAGE_BILLBOARDS) writeonly buffer Billboards { uint billboards[]; };
 layout(std430, binding = LKAO_STORAGE_FRAMES) writeonly buffer Frames { vec4 frames[]; };
 layout(std430, binding = LKAO_STORAGE_LARGEST) buffer Largest { uint largest_bits; };  // of a float
+layout(std430, binding = LKAO_STORAGE_OPACITIES) readonly buffer Opacities { float opacities[]; };
 
 // (b - a) x (c - a) as bvh::area_vector has it: zero where the corners lie on one line.
 dvec3 area_vector(dvec3 a, dvec3 b, dvec3 c) {
@@ -69,12 +70,12 @@ void main() {
   if (range.x >= range.y) return;  // it counts nowhere, or no ray is that long
   vec3 center = sphere_center(a, b, c, area);
   float size = max(distance(center, a), max(distance(center, b), distance(center, c)));
-  float reach = size + range.y, center_depth = distance_along_view(center);
+  float reach = size + shapes.reach * range.y, center_depth = distance_along_view(center);
   // Receivers are in front of a perspective camera.
   if (is_perspective() && center_depth < -1.1 * reach) return;
 
   frames[2u * triangle] = vec4(vec3(area / sqrt(dot(area, area))), size);
-  frames[2u * triangle + 1u] = vec4(center, 0.0);
+  frames[2u * triangle + 1u] = vec4(center, shapes.has_opacities != 0 ? opacities[triangle] : 1.0);
   // A sphere has an outline only as seen from outside: well outside of the enlarged one that the billboard is made for.
   bool is_inside = is_perspective() && distance(center, view.eye.xyz) < 1.2 * reach;
   if (size > shapes.billboard_threshold * range.y || is_inside) {

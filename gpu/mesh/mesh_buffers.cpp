@@ -1,6 +1,7 @@
 #include "gpu/mesh/mesh_buffers.h"
 
 #include <algorithm>
+#include <atomic>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -20,6 +21,16 @@ void require_ranges(std::span<const glm::vec2> ranges, std::size_t triangle_coun
     if (ranges[i].x >= 0 && ranges[i].x < ranges[i].y) continue;
     throw std::invalid_argument(
         fmt::format("ranges[{}] must have 0 <= r_min < r_max, not {} and {}", i, ranges[i].x, ranges[i].y));
+  }
+}
+
+void require_opacities(std::span<const float> opacities, std::size_t triangle_count) {
+  if (!opacities.empty() && opacities.size() != triangle_count) {
+    throw std::invalid_argument(fmt::format("{} opacities for {} triangles", opacities.size(), triangle_count));
+  }
+  for (std::size_t i = 0; i < opacities.size(); ++i) {
+    if (opacities[i] >= 0 && opacities[i] <= 1) continue;
+    throw std::invalid_argument(fmt::format("opacities[{}] must be from 0 to 1, not {}", i, opacities[i]));
   }
 }
 
@@ -65,7 +76,7 @@ Buffer make_buffer_of(std::span<const Value> values) {
 std::size_t MeshBuffers::capacity() {
   GLint64 block_size = 0;
   glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &block_size);
-  return std::min(texture_buffer_size() / kFrameTexels, static_cast<std::size_t>(block_size) / (16 * kFrameTexels));
+  return std::min(texture_buffer_size() / kMostTexels, static_cast<std::size_t>(block_size) / (16 * kMostTexels));
 }
 
 MeshBuffers::MeshBuffers(const PositionView& positions, const IndexView& triangles, std::span<const glm::vec2> ranges)
@@ -82,10 +93,11 @@ MeshBuffers::MeshBuffers(const PositionView& positions, const IndexView& triangl
     parts_.push_back(make_part(pack(triangles, first, count), has_ranges_ ? ranges.subspan(first, count) : ranges));
   }
   check_errors("copying the occluders");
+  note_change();
 }
 
 MeshBuffers::Part MeshBuffers::make_part(const std::vector<glm::uvec3>& triangles, std::span<const glm::vec2> ranges) {
-  Part part{triangles.size(), make_buffer_of(std::span(triangles)), make_buffer_of(ranges), {}, {}};
+  Part part{triangles.size(), make_buffer_of(std::span(triangles)), make_buffer_of(ranges), {}, {}, {}};
   part.triangles_texture = make_buffer_texture(GL_RGB32UI, part.triangles);
   part.ranges_texture = make_buffer_texture(GL_RG32F, part.ranges);
   return part;
@@ -101,6 +113,30 @@ void MeshBuffers::update_positions(const PositionView& positions) {
                 [&](const void* data) { glNamedBufferSubData(positions_.name(), 0, packed_size(positions), data); });
   }
   check_errors("updating positions");
+  note_change();
+}
+
+void MeshBuffers::set_opacities(std::span<const float> opacities) {
+  require_opacities(opacities, triangle_count());
+  has_opacities_ = !opacities.empty();
+  for (Part& part : parts_) {
+    const std::size_t count = has_opacities_ ? part.count : 0;
+    part.opacities = has_opacities_ ? make_buffer_of(opacities.first(count)) : Buffer();
+    opacities = opacities.subspan(count);
+  }
+  check_errors("copying opacities");
+  note_change();
+}
+
+void MeshBuffers::note_change() {
+  static std::atomic<std::uint64_t> last = 0;
+  version_ = ++last;
+}
+
+std::size_t MeshBuffers::triangle_count() const {
+  std::size_t count = 0;
+  for (const Part& part : parts_) count += part.count;
+  return count;
 }
 
 void MeshBuffers::bind_positions() const { glBindTextureUnit(LKAO_UNIT_POSITIONS, positions_texture_.name()); }
@@ -108,6 +144,11 @@ void MeshBuffers::bind_positions() const { glBindTextureUnit(LKAO_UNIT_POSITIONS
 void MeshBuffers::bind_triangles(std::size_t part) const {
   glBindTextureUnit(LKAO_UNIT_TRIANGLES, parts_[part].triangles_texture.name());
   glBindTextureUnit(LKAO_UNIT_RANGES, parts_[part].ranges_texture.name());
+}
+
+void MeshBuffers::bind_opacities(std::size_t part) const {
+  if (!has_opacities_) return;
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, LKAO_STORAGE_OPACITIES, parts_[part].opacities.name());
 }
 
 }  // namespace lkao::gl

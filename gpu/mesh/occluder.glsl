@@ -16,6 +16,7 @@ struct Occluder {
   vec4 sphere;   // the smallest around it
   vec2 depths;   // of its corners along the view: nearest and farthest
   vec2 range;    // the distances at which it counts
+  float opacity; // how much of what it covers it blocks
 };
 
 Occluder fetch_occluder(uint triangle) {
@@ -26,7 +27,9 @@ Occluder fetch_occluder(uint triangle) {
   o.c = texelFetch(positions, int(corners.z)).xyz;
   vec4 frame = texelFetch(frames, int(2u * triangle));
   o.normal = frame.xyz;
-  o.sphere = vec4(texelFetch(frames, int(2u * triangle + 1u)).xyz, frame.w);
+  vec4 center = texelFetch(frames, int(2u * triangle + 1u));
+  o.sphere = vec4(center.xyz, frame.w);
+  o.opacity = center.w;
   o.range = range_of(triangle);
   vec3 depths = vec3(distance_along_view(o.a), distance_along_view(o.b), distance_along_view(o.c));
   o.depths = vec2(min(depths.x, min(depths.y, depths.z)), max(depths.x, max(depths.y, depths.z)));

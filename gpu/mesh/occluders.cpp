@@ -44,7 +44,13 @@ void Occluders::update_transforms(std::span<const glm::mat4x3> to_world) {
   if (!instances_) throw std::runtime_error("these occluders are no instances: update_positions() moves them");
   instances_->set_transforms(to_world);
   instances_->find_positions(buffers_->positions_buffer());
+  buffers_->note_change();
   check_errors("moving instances");
+}
+
+void Occluders::set_opacities(std::span<const float> opacities) {
+  require_clean_context(host_errors_);
+  buffers_->set_opacities(opacities);
 }
 
 std::optional<Occluders> Occluders::try_make(const PositionView& positions, const IndexView& triangles,
@@ -66,6 +72,10 @@ Status Occluders::try_update_positions(const PositionView& positions) noexcept {
 
 Status Occluders::try_update_transforms(std::span<const glm::mat4x3> to_world) noexcept {
   return status_of([&] { update_transforms(to_world); });
+}
+
+Status Occluders::try_set_opacities(std::span<const float> opacities) noexcept {
+  return status_of([&] { set_opacities(opacities); });
 }
 
 ObjectName Occluders::positions_buffer() const { return buffers_->positions_buffer(); }

@@ -26,10 +26,12 @@ void add_strip(const Strip& strip, int first_vertex, std::vector<std::uint16_t>&
   }
 }
 
-std::vector<std::uint16_t> prism_indices() {
+std::vector<std::uint16_t> prism_indices(const Solid& prism) {
   std::vector<std::uint16_t> indices;
   for (int i = 0; i < LKAO_BATCH_SIZE; ++i) {
-    for (const Strip& strip : kPrismStrips) add_strip(strip, i * LKAO_SHAPE_VERTEX_COUNT, indices);
+    for (const std::uint16_t index : prism.indices) {
+      indices.push_back(static_cast<std::uint16_t>(i * prism.vertex_count + index));
+    }
   }
   return indices;
 }
@@ -56,13 +58,13 @@ VertexArray make_indexed(const Buffer& indices) {
 }
 
 // Draw commands before any triangle is counted.
-std::array<std::uint32_t, LKAO_DRAW_WORD_COUNT> empty_draws(bool is_two_sided) {
+std::array<std::uint32_t, LKAO_DRAW_WORD_COUNT> empty_draws(std::size_t prism_index_count, bool is_two_sided) {
   std::array<std::uint32_t, LKAO_DRAW_WORD_COUNT> words{};
   words[LKAO_DRAW_PRISM_ARRAYS + 1] = 1;
   words[LKAO_DRAW_BILLBOARD_ARRAYS + 1] = 1;
-  // A billboard has two polygons of one strip, but one for a two-sided triangle; a prism has two strips.
+  // A billboard has two polygons of one strip, but one for a two-sided triangle.
   constexpr std::uint32_t kStripIndices = (LKAO_SHAPE_VERTEX_COUNT - 2) * 3;
-  words[LKAO_DRAW_PRISM_ELEMENTS] = LKAO_BATCH_SIZE * 2 * kStripIndices;
+  words[LKAO_DRAW_PRISM_ELEMENTS] = LKAO_BATCH_SIZE * static_cast<std::uint32_t>(prism_index_count);
   words[LKAO_DRAW_BILLBOARD_ELEMENTS] = LKAO_BATCH_SIZE * kStripIndices * (is_two_sided ? 1u : 2u);
   return words;
 }
@@ -72,10 +74,21 @@ const void* command(int word) { return std::bit_cast<const void*>(static_cast<st
 
 }  // namespace
 
-ShapeLists::ShapeLists()
+const Solid& hexagonal_prism() {
+  static const std::vector<std::uint16_t> indices = [] {
+    std::vector<std::uint16_t> of_both;
+    for (const Strip& strip : kPrismStrips) add_strip(strip, 0, of_both);
+    return of_both;
+  }();
+  static const Solid prism{LKAO_SHAPE_VERTEX_COUNT, indices};
+  return prism;
+}
+
+ShapeLists::ShapeLists(const Solid& prism)
     : largest_(make_buffer(4, nullptr, GL_DYNAMIC_STORAGE_BIT)),
       largest_texture_(make_buffer_texture(GL_R32F, largest_)),
-      prism_indices_(make_index_buffer(prism_indices())),
+      prism_index_count_(prism.indices.size()),
+      prism_indices_(make_index_buffer(prism_indices(prism))),
       billboard_indices_(make_index_buffer(billboard_indices())),
       no_attributes_(make_vertex_array()),
       pulled_prisms_(make_indexed(prism_indices_)),
@@ -97,29 +110,37 @@ void ShapeLists::classify(const MeshBuffers& mesh, GLuint program, bool is_two_s
   const GLuint zero = 0;
   glNamedBufferSubData(largest_.name(), 0, sizeof(zero), &zero);
   mesh.bind_positions();
-  glBindTextureUnit(LKAO_UNIT_LARGEST, largest_texture_.name());
+  bind_largest();
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, LKAO_STORAGE_LARGEST, largest_.name());
   glUseProgram(program);
   for (std::size_t i = 0; i < mesh.part_count(); ++i) {
     mesh.bind_triangles(i);
-    parts_[i].classify(mesh.triangle_count(i), is_two_sided);
+    mesh.bind_opacities(i);
+    parts_[i].classify(mesh.triangle_count(i), prism_index_count_, is_two_sided);
   }
   glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
 }
 
-void ShapeLists::draw(const MeshBuffers& mesh, Shape shape, GeometryBackEnd back_end) const {
+void ShapeLists::draw(const MeshBuffers& mesh, Shape shape, GeometryBackEnd back_end, const BindPart& bind_more) const {
   const VertexArray& pulled = shape == Shape::prism ? pulled_prisms_ : pulled_billboards_;
   const bool is_pulled = back_end == GeometryBackEnd::vertex_pulling;
   glBindVertexArray((is_pulled ? pulled : no_attributes_).name());
   for (std::size_t i = 0; i < mesh.part_count(); ++i) {
     mesh.bind_triangles(i);
     parts_[i].bind(shape);
+    if (bind_more) bind_more(i);
     if (is_pulled) {
       parts_[i].draw_batches(shape);
     } else {
       parts_[i].draw_points(shape);
     }
   }
+}
+
+void ShapeLists::bind_largest() const { glBindTextureUnit(LKAO_UNIT_LARGEST, largest_texture_.name()); }
+
+void ShapeLists::bind_frames(std::size_t part) const {
+  glBindTextureUnit(LKAO_UNIT_FRAMES, parts_[part].frames_texture.name());
 }
 
 ShapeLists::Part::Part(std::size_t triangle_count)
@@ -133,8 +154,8 @@ ShapeLists::Part::Part(std::size_t triangle_count)
       billboards_texture(make_buffer_texture(GL_R32UI, billboards)),
       draws_texture(make_buffer_texture(GL_R32UI, draws)) {}
 
-void ShapeLists::Part::classify(std::size_t triangle_count, bool is_two_sided) const {
-  const auto words = empty_draws(is_two_sided);
+void ShapeLists::Part::classify(std::size_t triangle_count, std::size_t prism_index_count, bool is_two_sided) const {
+  const auto words = empty_draws(prism_index_count, is_two_sided);
   glNamedBufferSubData(draws.name(), 0, sizeof(words), words.data());
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, LKAO_STORAGE_DRAWS, draws.name());
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, LKAO_STORAGE_PRISMS, prisms.name());

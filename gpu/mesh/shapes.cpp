@@ -31,6 +31,7 @@ void set_camera(const Camera& camera, const Pixels& pixels, const ViewBlock& vie
   for (int column = 0; column < 4; ++column) clip[column][2] = depth_row[column];
   block.clip_from_world = glm::mat4(clip);
   block.radius = radius;
+  block.reach = 1;
 }
 
 }  // namespace lkao::gl

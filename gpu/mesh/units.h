@@ -22,7 +22,8 @@
 #define LKAO_STORAGE_FRAMES 3
 #define LKAO_STORAGE_LARGEST 4
 #define LKAO_STORAGE_EXTENT 5
-#define LKAO_MESH_STORAGE_COUNT 6
+#define LKAO_STORAGE_OPACITIES 6
+#define LKAO_MESH_STORAGE_COUNT 7
 
 // Of transform.comp.glsl, which runs between passes.
 #define LKAO_STORAGE_WORLD 0

@@ -11,6 +11,8 @@
 //     pass.draw(occluders, {.width = w, .height = h, .depth = depth_texture, .normals = normal_texture},
 //               {view, projection}, {.radius = 2.0f});
 //     pass.resolve({.occlusion = {r8_texture}});
+//
+// Or without rays, on the same occluders and G-buffer: lkao::gl::VolumePass.
 #pragma once
 
 #include "lkao/gl/bilateral_filter.h"
@@ -19,3 +21,4 @@
 #include "lkao/gl/mask_pass.h"
 #include "lkao/gl/occluders.h"
 #include "lkao/gl/status.h"
+#include "lkao/gl/volume_pass.h"

@@ -1,6 +1,7 @@
 #include "cli/method_options.h"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <string>
 #include <variant>
@@ -92,7 +93,19 @@ void require_ability(const MethodOptions& options, Ability ability, std::string_
   refuse(option, "method", able, kind.word);
 }
 
-void check_lengths(const MethodOptions& options, const OcclusionOptions& occlusion) {
+void check_question(const MethodOptions& options, const OcclusionOptions& occlusion) {
+  using method::Abilities;
+  if (occlusion.falloff.name() != "linear") {
+    require_ability(options, &Abilities::all_falloffs,
+                    fmt::format("--falloff {} (not linear)", occlusion.falloff.name()));
+  }
+  if (occlusion.weighting == Weighting::uniform) {
+    require_ability(options, &Abilities::uniform_weighting, "--weighting uniform");
+  }
+  if (occlusion.min_distance > 0) require_ability(options, &Abilities::min_distance, "--min-distance");
+  if (occlusion.radius && std::isinf(occlusion.radius->value)) {
+    require_ability(options, &Abilities::infinite_radius, "--radius inf");
+  }
   if (!occlusion.radius || !occlusion.question(occlusion.radius->value).has_infinite_lengths()) return;
   require_ability(options, &method::Abilities::infinite_lengths,
                   fmt::format("--radius inf with --falloff {}", occlusion.falloff.name()));

@@ -27,6 +27,10 @@ struct Abilities {
   bool levels = true;            // it takes levels of detail
   bool infinite_lengths = true;  // Question::has_infinite_lengths()
   bool any_receivers = true;     // false: only all pixels of a view at once
+  bool infinite_radius = true;
+  bool min_distance = true;       // Question::min_distance
+  bool all_falloffs = true;       // false: Falloff::linear() alone
+  bool uniform_weighting = true;  // Weighting::uniform
 };
 
 // What a camera sees. The receivers in question are its pixels.

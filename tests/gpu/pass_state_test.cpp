@@ -267,6 +267,49 @@ TEST_F(PassState, IsPutBackAndDoesNotMatter) {
   EXPECT_EQ(masks, expected);
 }
 
+TEST_F(PassState, OfVolumesIsPutBackAndDoesNotMatter) {
+  const Mesh mesh = furnished_room();
+  const Camera camera = room_camera(kWidth, kHeight);
+  const GBufferPass g_buffer(mesh, camera, kWidth, kHeight);
+  const Texture occlusion = make_image(GL_R32F, kWidth, kHeight);
+  const RayOptions options{.radius = 1.0f};
+  const VolumePassSetup setups[] = {
+      {.count_fragments = true},
+      {.geometry = GeometryBackEnd::geometry_shader, .keeps_volumes = true, .count_fragments = true},
+      {.keep_state = false}};
+  std::vector<std::vector<glm::vec4>> expected;
+  for (const VolumePassSetup& setup : setups) {
+    VolumePass pass(setup);
+    Occluders occluders(mesh.positions, mesh.triangles);
+    occluders.set_opacities(std::vector<float>(mesh.triangles.size(), 0.5f));
+    pass.draw(occluders, g_buffer.by_depth(), camera, options, {occlusion.name()});
+    expected.push_back(read_image(occlusion.name(), kWidth, kHeight));
+  }
+
+  for (std::size_t i = 0; i < std::size(setups); ++i) {
+    const OddState odd;
+    const Snapshot before = take_snapshot();
+    VolumePass pass(setups[i]);
+    Occluders occluders(mesh.positions, mesh.triangles);
+    occluders.set_opacities(std::vector<float>(mesh.triangles.size(), 0.5f));
+    if (setups[i].keep_state) EXPECT_THAT(changes_since(before), IsEmpty()) << "after the driver's check";
+    pass.draw(occluders, g_buffer.by_depth(), camera, options, {occlusion.name()});
+    if (setups[i].keep_state) {
+      EXPECT_THAT(changes_since(before), IsEmpty()) << "after draw";
+      pass.read_fragment_counts();
+      EXPECT_THAT(changes_since(before), IsEmpty()) << "after reading";
+      EXPECT_THROW(pass.draw(occluders, g_buffer.by_depth(), {camera.view, glm::mat4(0)}, options, {occlusion.name()}),
+                   std::invalid_argument);
+      EXPECT_THAT(changes_since(before), IsEmpty()) << "after an exception";
+    } else {
+      EXPECT_THAT(changes_since(before), Not(IsEmpty()));
+    }
+    glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
+    for (const PixelStore& parameter : kKeptPixelStore) glPixelStorei(parameter.name, parameter.tight);
+    EXPECT_EQ(read_image(occlusion.name(), kWidth, kHeight), expected[i]);
+  }
+}
+
 TEST_F(PassState, OfBlendingIsPutBack) {
   const OddState odd;
   const Snapshot before = take_snapshot();

@@ -11,6 +11,7 @@
 #include "gpu/mesh/shapes_block.h"
 #include "gpu/on_software.h"
 #include "gpu/screen/filter_block.h"
+#include "gpu/volumes/volume_pass_block.h"
 
 namespace lkao::gl::tests {
 namespace {
@@ -62,6 +63,14 @@ TEST_F(UniformBlocks, AreLaidOutAlike) {
   EXPECT_EQ(size_of(resolve, "TargetBlock"), static_cast<GLint>(sizeof(TargetBlock)));
   LKAO_EXPECT_OFFSET(resolve, TargetBlock, first_x);
   LKAO_EXPECT_OFFSET(resolve, TargetBlock, background);
+
+  const ProgramObject classify = make_program({"mesh/classify.comp"});
+  LKAO_EXPECT_OFFSET(classify, ShapesBlock, reach);
+  LKAO_EXPECT_OFFSET(classify, ShapesBlock, has_opacities);
+
+  const ProgramObject volumes = make_program({"volumes/resolve.comp"});
+  EXPECT_EQ(size_of(volumes, "VolumePassBlock"), static_cast<GLint>(sizeof(VolumePassBlock)));
+  LKAO_EXPECT_OFFSET(volumes, VolumePassBlock, compensation);
 
   const ProgramObject filter = make_program({"screen/bilateral.comp"});
   EXPECT_EQ(size_of(filter, "FilterBlock"), static_cast<GLint>(sizeof(FilterBlock)));

@@ -28,11 +28,12 @@ endfunction()
 
 foreach(name IN ITEMS frame/check.comp mesh/classify.comp mesh/radius.comp mesh/transform.comp masks/receivers.comp
                       masks/cast.comp masks/resolve.comp
-                      screen/bilateral.comp)
+                      screen/bilateral.comp volumes/extend.comp volumes/resolve.comp)
   validate(NAMES ${name})
 endforeach()
 validate(NAMES frame/screen.vert masks/depth.frag)
 validate(NAMES frame/screen.vert masks/fill.frag)
+validate(NAMES frame/screen.vert volumes/receivers.frag)
 
 foreach(shape IN ITEMS "mesh/prism.vert" "mesh/billboard.vert" "mesh/point.vert;mesh/prism.geom"
                        "mesh/point.vert;mesh/billboard.geom")
@@ -47,6 +48,17 @@ foreach(shape IN ITEMS "mesh/prism.vert" "mesh/billboard.vert" "mesh/point.vert;
       validate(NAMES ${shape} masks/accumulate.frag
                DEFINES -DLKAO_LAYERS=${layers} -DLKAO_MUST_MAY=${must_may} -DLKAO_CUBE_ADDRESSING=${cube}
                        -DLKAO_DOUBLE=${double} -DLKAO_ATOMICS=${atomics} -DLKAO_COUNT=${count})
+    endforeach()
+  endforeach()
+endforeach()
+
+foreach(shape IN ITEMS "volumes/volume.vert" "mesh/point.vert;volumes/volume.geom")
+  foreach(kept IN ITEMS 0 1)
+    foreach(two_horizons IN ITEMS 0 1)
+      foreach(count IN ITEMS 0 1)
+        validate(NAMES ${shape} volumes/accumulate.frag
+                 DEFINES -DLKAO_KEPT=${kept} -DLKAO_TWO_HORIZONS=${two_horizons} -DLKAO_COUNT=${count})
+      endforeach()
     endforeach()
   endforeach()
 endforeach()

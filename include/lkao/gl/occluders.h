@@ -70,6 +70,11 @@ class LKAO_API Occluders {
   // Throws std::invalid_argument where a transform is not finite, or mirrors where the first did not, and
   // std::runtime_error where these occluders are not made of instances.
   void update_transforms(std::span<const glm::mat4x3> to_world);
+  // How much each triangle blocks of what it covers, from 0 to 1: the mean alpha of a texture with holes, such as a
+  // fence or leaves. VolumePass takes it; what tells ray by ray does not. None: all block everything. With instances,
+  // of each instance's triangles. Costs 4 bytes a triangle. Throws std::invalid_argument where there are not as many as
+  // triangles, or one is out of range.
+  void set_opacities(std::span<const float> opacities);
   // The buffer of positions in the world, three floats each, for meshes that move on the GPU: write there between
   // draws, with glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT) after a shader. As long-lived as this object.
   ObjectName positions_buffer() const;
@@ -80,6 +85,7 @@ class LKAO_API Occluders {
   static std::optional<Occluders> try_make(std::span<const MeshInstance> instances, Status& status) noexcept;
   Status try_update_positions(const PositionView& positions) noexcept;
   Status try_update_transforms(std::span<const glm::mat4x3> to_world) noexcept;
+  Status try_set_opacities(std::span<const float> opacities) noexcept;
 
   // For the passes of this library.
   const MeshBuffers& buffers() const { return *buffers_; }
