@@ -17,8 +17,10 @@ const float kFar = 1e6;
 
 float reach;  // d_far
 
+// By the bits of floats, which have their order and put NaN last: drivers turn comparisons round, and NaN with them.
 bool is_usable(vec4 s) {
-  return s.w > 0.0 && all(lessThanEqual(abs(s), vec4(LKAO_LARGEST_COORDINATE)));  // written so that a NaN fails
+  uvec4 sizes = floatBitsToUint(s) & 0x7fffffffu;
+  return s.w > 0.0 && all(lessThanEqual(sizes, uvec4(floatBitsToUint(float(LKAO_LARGEST_COORDINATE)))));
 }
 
 // Where rays from the eye touch a circle on both sides, as coordinates on a screen at distance 1. `centre`: across the
