@@ -92,8 +92,11 @@ void require_ability(const MethodOptions& options, Ability ability, std::string_
   refuse(option, "method", able, kind.word);
 }
 
-void check_lengths(const MethodOptions& options, const OcclusionOptions& occlusion) {
-  if (!occlusion.radius || !occlusion.question(occlusion.radius->value).has_infinite_lengths()) return;
+void check_rays(const MethodOptions& options, const OcclusionOptions& occlusion) {
+  const method::Question question = occlusion.question(occlusion.radius ? occlusion.radius->value : 1);
+  const std::string special = question.special_rays();
+  if (!special.empty()) require_ability(options, &method::Abilities::any_rays, special);
+  if (!question.has_infinite_lengths()) return;
   require_ability(options, &method::Abilities::infinite_lengths,
                   fmt::format("--radius inf with --falloff {}", occlusion.falloff.name()));
 }

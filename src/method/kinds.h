@@ -9,5 +9,6 @@ MethodKind traversal_kind();
 MethodKind embree_kind();
 // By OpenGL.
 MethodKind masks_kind();
+MethodKind splat_kind();
 
 }  // namespace lkao::method

@@ -18,6 +18,7 @@ constexpr Word<MethodKind (*)()> kMethods[] = {
     {"bvh", traversal_kind},
     {"embree", embree_kind},
     {"raster", LKAO_GL_KIND(masks_kind)},
+    {"splat", LKAO_GL_KIND(splat_kind)},
 };
 constexpr std::size_t kTraversal = 0, kEmbree = 1;
 

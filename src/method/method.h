@@ -27,6 +27,7 @@ struct Abilities {
   bool levels = true;            // it takes levels of detail
   bool infinite_lengths = true;  // Question::has_infinite_lengths()
   bool any_receivers = true;     // false: only all pixels of a view at once
+  bool any_rays = true;          // false: only the default of weighting, falloff, sidedness and least distance
 };
 
 // What a camera sees. The receivers in question are its pixels.

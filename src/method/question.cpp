@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include <fmt/format.h>
 #include <tbb/task_arena.h>
 
 namespace lkao::method {
@@ -21,6 +22,15 @@ PlaneMaskTable Question::table(PlaneMasks masks) const {
   options.masks = masks;
   options.thread_count = tbb::this_task_arena::max_concurrency();
   return PlaneMaskTable(pattern(), options);
+}
+
+std::string Question::special_rays() const {
+  const Question usual;
+  if (weighting != usual.weighting) return fmt::format("--weighting {}", word_of(kWeightingWords, weighting));
+  if (!is_constant(falloff)) return fmt::format("--falloff {}", falloff.name());
+  if (sidedness != usual.sidedness) return fmt::format("--sided {}", word_of(kSidednessWords, sidedness));
+  if (min_distance != usual.min_distance) return fmt::format("--min-distance {:g}", min_distance);
+  return {};
 }
 
 bool Question::has_infinite_lengths() const { return std::isinf(radius) && !is_constant(falloff); }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
 #include "lkao/plane_mask_table.h"
 #include "lkao/receiver.h"
@@ -28,6 +29,9 @@ struct Question {
   }
   SamplePattern pattern() const;
   PlaneMaskTable table(PlaneMasks masks) const;
+  // What of it is not at its default, among what only methods with Abilities::any_rays can do: "--falloff linear"; or
+  // nothing.
+  std::string special_rays() const;
   // Rays beyond everything, of several lengths: shares of infinity that no table holds.
   bool has_infinite_lengths() const;
 };
