@@ -19,6 +19,8 @@ enum class Halves { near_half, far_half, both };
 constexpr Word<Halves> kHalvesWords[] = {
     {"near", Halves::near_half}, {"far", Halves::far_half}, {"both", Halves::both}};
 constexpr Word<int> kLayerWords[] = {{"1", 1}, {"2", 2}};
+constexpr Word<gl::SampleDensity> kDensityWords[] = {{"even", gl::SampleDensity::even},
+                                                     {"falling", gl::SampleDensity::falling}};
 constexpr Word<gl::SphereFormula> kFormulaWords[] = {{"cap", gl::SphereFormula::cap},
                                                      {"exact", gl::SphereFormula::exact},
                                                      {"printed", gl::SphereFormula::printed}};
@@ -54,15 +56,22 @@ const Setting& near_samples_setting() {
   static const Setting setting{.name = "near-samples",
                                .help = "Pixels that the near half looks at, at most; the sum is scaled to stand for all",
                                .values = Range{1, 65536, true},
-                               .default_text = "128"};
+                               .default_text = "64"};
+  return setting;
+}
+
+const Setting& near_rate_setting() {
+  static const Setting setting{.name = "near-rate",
+                               .help = "How many for each pixel that r_far is long on the screen",
+                               .values = Range{0, 1e6},
+                               .default_text = "4"};
   return setting;
 }
 
 const Setting& near_density_setting() {
-  static const Setting setting{.name = "near-density",
-                               .help = "The same for each pixel that r_far is long on the screen",
-                               .values = Range{0, 1e6},
-                               .default_text = "4"};
+  static const Setting setting =
+      word_setting("near-density", "Where they lie: everywhere as often, as the paper has it, or mostly near by",
+                   kDensityWords, gl::SampleDensity::falling);
   return setting;
 }
 
@@ -134,7 +143,8 @@ class Splat : public Method {
         splatter_(prepare_device(settings)) {
     options_.near_half = halves_ != Halves::far_half;
     options_.far_half = halves_ != Halves::near_half;
-    options_.samples_per_pixel = static_cast<float>(settings.number(near_density_setting()));
+    options_.samples_per_pixel = static_cast<float>(settings.number(near_rate_setting()));
+    options_.density = settings.value(near_density_setting(), kDensityWords);
     options_.max_sample_count = whole(settings, near_samples_setting());
     options_.pixel_sphere_radius = static_cast<float>(settings.number(pixel_sphere_setting()));
     options_.epsilon = static_cast<float>(settings.number(epsilon_setting()));
@@ -212,7 +222,8 @@ class Splat : public Method {
     keys["near"] = {{"radius", options_.near_radius},
                     {"layers", layer_count_},
                     {"samples", options_.max_sample_count},
-                    {"density", options_.samples_per_pixel},
+                    {"rate", options_.samples_per_pixel},
+                    {"density", word_of(kDensityWords, options_.density)},
                     {"pixel_sphere", options_.pixel_sphere_radius}};
   }
 
@@ -243,7 +254,7 @@ MethodKind splat_kind() {
   return {
       .summary = "OpenGL, spheres of the pixels and of the scene",
       .settings = {&device_setting(), &halves_setting(), &near_share_setting(), &layers_setting(),
-                   &near_samples_setting(), &near_density_setting(), &pixel_sphere_setting(), &spheres_setting(),
+                   &near_samples_setting(), &near_rate_setting(), &near_density_setting(), &pixel_sphere_setting(), &spheres_setting(),
                    &rounds_setting(), &epsilon_setting(), &formula_setting(), &inside_setting()},
       .abilities = abilities,
       .open = [](const Settings& settings) -> std::unique_ptr<Method> { return std::make_unique<Splat>(settings); }};

@@ -53,6 +53,38 @@ SplatView view_of_waves(int width = kWidth, int height = kHeight) {
                         height);
 }
 
+// The mean over seeds against the sum over all pixels; the variance of a pixel of one seed, over the pixels.
+double expect_right_on_average(const SplatView& view, SplatPass& pass, SplatOptions options) {
+  const std::vector<float> right = view.draw(pass, options);
+  options.samples_per_pixel = 2;
+  options.max_sample_count = 12;
+  constexpr int kSeedCount = 300;
+  std::vector<double> sums(right.size()), squares(right.size());
+  for (int seed = 0; seed < kSeedCount; ++seed) {
+    options.seed = static_cast<std::uint32_t>(seed);
+    const std::vector<float> drawn = view.draw(pass, options);
+    for (std::size_t i = 0; i < drawn.size(); ++i) {
+      sums[i] += drawn[i];
+      squares[i] += double{drawn[i]} * drawn[i];
+    }
+  }
+  // No pixel may be farther off than its own spread lets it, nor all together.
+  double squared_offs = 0, off = 0, variance_of_all = 0;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < right.size(); ++i) {
+    const double mean = sums[i] / kSeedCount, variance = squares[i] / kSeedCount - mean * mean;
+    if (right[i] < 0.01f) continue;
+    off += mean - double{right[i]};
+    variance_of_all += variance / kSeedCount;
+    squared_offs += (mean - right[i]) * (mean - right[i]) * kSeedCount / variance;
+    ++count;
+  }
+  EXPECT_GT(count, 100u);
+  EXPECT_LT(std::fabs(off), 4 * std::sqrt(variance_of_all));
+  EXPECT_NEAR(squared_offs / static_cast<double>(count), 1, 0.3);
+  return variance_of_all * kSeedCount / static_cast<double>(count);
+}
+
 class SplatNear : public OnSoftware {
  protected:
   void SetUp() override {
@@ -120,34 +152,11 @@ TEST_F(SplatNear, OfFewSamplesIsRightOnAverage) {
   const SplatView view = view_of_waves();
   SplatOptions options = kAll;
   options.near_radius = 1;
-  const std::vector<float> right = view.draw(*pass_, options);
-  options.samples_per_pixel = 2;
-  options.max_sample_count = 12;
-  constexpr int kSeedCount = 300;
-  std::vector<double> sums(right.size()), squares(right.size());
-  for (int seed = 0; seed < kSeedCount; ++seed) {
-    options.seed = static_cast<std::uint32_t>(seed);
-    const std::vector<float> drawn = view.draw(*pass_, options);
-    for (std::size_t i = 0; i < drawn.size(); ++i) {
-      sums[i] += drawn[i];
-      squares[i] += double{drawn[i]} * drawn[i];
-    }
-  }
-  // No pixel may be farther off than its own spread lets it, nor all together.
-  double squared_offs = 0, off = 0, variance_of_all = 0;
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < right.size(); ++i) {
-    const double mean = sums[i] / kSeedCount, variance = squares[i] / kSeedCount - mean * mean;
-    if (right[i] < 0.01f) continue;
-    ASSERT_GT(variance, 0);
-    off += mean - double{right[i]};
-    variance_of_all += variance / kSeedCount;
-    squared_offs += (mean - right[i]) * (mean - right[i]) * kSeedCount / variance;
-    ++count;
-  }
-  ASSERT_GT(count, 100u);
-  EXPECT_LT(std::fabs(off), 4 * std::sqrt(variance_of_all));
-  EXPECT_NEAR(squared_offs / static_cast<double>(count), 1, 0.3);
+  options.pixel_sphere_radius = 0.3f;  // so that no sum ends at 1
+  options.density = SampleDensity::even;
+  const double even = expect_right_on_average(view, *pass_, options);
+  options.density = SampleDensity::falling;
+  EXPECT_LT(expect_right_on_average(view, *pass_, options), 0.7 * even);
 }
 
 TEST_F(SplatNear, SamplesDifferFromPixelToPixelAndSeedToSeed) {

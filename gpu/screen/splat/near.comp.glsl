@@ -5,7 +5,8 @@
 // Differs from the paper:
 // - A random subset of the pixels is scaled to stand for all of them, so that the number of samples does not change how
 //   dark the picture is.
-// - Its places come from a sequence that is turned by a hash of the pixel, not from a texture of random numbers.
+// - Its places come from a sequence that is moved by a hash of the pixel, not from a texture of random numbers, and may
+//   lie densest in the middle, where what a pixel blocks is most.
 // - With shading normals, what lies below the surface itself blocks nothing, though it may be above their horizon.
 #include "gpu/frame/view.glsl"
 #include "gpu/screen/splat/sphere.glsl"
@@ -67,19 +68,40 @@ uvec3 hash(uvec3 v) {
   return v + v.yzx * v.zxy;
 }
 
-// Places spread evenly over the disc: each pixel in it is met by a share of 1 / area of them. The sequence (the powers of
-// 1 / 1.3247..., the real root of x^3 = x + 1) leaves no large gaps.
+// The integral of 1 / distance over a pixel's square, `off` from the middle of the disc.
+float inverse_distance(vec2 off) {
+  float squared = dot(off, off);
+  // Its series, where that is exact to 1e-5; the closed form would lose its digits there.
+  if (squared >= 9.0) return inversesqrt(squared) * (1.0 + 1.0 / (24.0 * squared));
+  vec2 low = abs(off) - 0.5, high = low + 1.0;
+  float sum = 0.0;
+  for (int corner = 0; corner < 4; ++corner) {
+    vec2 p = vec2((corner & 1) != 0 ? high.x : low.x, (corner & 2) != 0 ? high.y : low.y);
+    float away = length(p);
+    // d2/dxdy of x log(y + r) + y log(x + r) is 1 / r.
+    float primitive = p.x * log(p.y + away) + p.y * log(p.x + away);
+    sum += corner == 0 || corner == 3 ? primitive : -primitive;
+  }
+  return sum;
+}
+
+// Places in a disc that holds all of the pixels that count. A pixel stands for as many as the share of samples that it
+// is given is smaller than one: 1 / area, or the integral over it of 1 / (2 pi wide distance). The sequence (the powers
+// of 1 / 1.3247..., the real root of x^3 = x + 1) leaves no large gaps.
 float sum_over_subset(Receiver receiver, float radius, int count) {
   const uvec2 kStep = uvec2(3242174889u, 2447445414u);
+  bool is_falling = pass.has_falling_density != 0;
   uvec2 place = hash(uvec3(receiver.pixel, pass.seed)).xy;
   float wide = radius + kHalfDiagonal, occlusion = 0.0;
   for (int i = 0; i < count; ++i, place += kStep) {
     vec2 share = vec2(place >> 8u) * exp2(-24.0);
-    float away = wide * sqrt(share.x), turn = 2.0 * kPi * share.y;
+    float away = wide * (is_falling ? share.x : sqrt(share.x)), turn = 2.0 * kPi * share.y;
     ivec2 pixel = receiver.pixel + ivec2(floor(away * vec2(cos(turn), sin(turn)) + 0.5));
-    if (is_in_disc(pixel, receiver.pixel, radius)) occlusion += occlusion_by(receiver, pixel);
+    if (pixel == receiver.pixel || !is_in_disc(pixel, receiver.pixel, radius)) continue;
+    float weight = is_falling ? 2.0 / inverse_distance(vec2(pixel - receiver.pixel)) : wide;
+    occlusion += weight * occlusion_by(receiver, pixel);
   }
-  return occlusion * kPi * wide * wide / float(count);
+  return occlusion * kPi * wide / float(count);
 }
 
 // near_radius on the screen, in pixels; no longer than there are pixels.

@@ -11,6 +11,7 @@ float pixel_sphere_radius;
 float near_radius;
 float samples_per_pixel;
 int max_sample_count;
+int has_falling_density;  // of samples
 uint seed;
 int is_exact;          // the formula: (r / d)^2, or the cap
 float scale;           // of what the formula gives

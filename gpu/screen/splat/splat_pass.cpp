@@ -69,6 +69,7 @@ SplatBlock make_block(const SplatOptions& options, int layer_count, float backgr
   block.near_radius = options.near_radius;
   block.samples_per_pixel = options.samples_per_pixel;
   block.max_sample_count = options.max_sample_count;
+  block.has_falling_density = options.density == SampleDensity::falling;
   block.seed = options.seed;
   block.is_exact = options.formula == SphereFormula::exact;
   block.scale = options.formula == SphereFormula::printed ? std::numbers::pi_v<float> : 1.0f;

@@ -30,6 +30,12 @@ enum class InsideSphere {
   everything,  // as the paper has it (Sec. 6); the scene's surface lies within its own spheres, so much gets black
 };
 
+// Where a random subset of the pixels around a receiver lies. Either way its mean is the sum over all of them.
+enum class SampleDensity {
+  even,     // as often in all of the disc, the paper's
+  falling,  // as 1 / the distance on the screen, for what is near blocks most: far less noise
+};
+
 struct SplatOptions {
   // Which halves: pixels around the receiver; spheres of the scene.
   bool near_half = true;
@@ -41,9 +47,10 @@ struct SplatOptions {
   float near_radius = 0;
   // How many pixels are looked at: so many for each pixel that near_radius is long on the screen (at least 0), and at
   // most so many in all (1 to 65536). Where they are as many as the disc has pixels, each is looked at once; else a
-  // random subset, other ones in each pixel and for each seed, whose mean is the sum over all of them.
+  // random subset, other ones in each pixel and for each seed.
   float samples_per_pixel = 4;
-  int max_sample_count = 128;
+  int max_sample_count = 64;
+  SampleDensity density = SampleDensity::falling;
   std::uint32_t seed = 0;
   // Radius of a pixel's sphere, in widths of a pixel at its distance; above 0, at most 16. The sphere touches the
   // surface from behind. 0.5: it fills its pixel from side to side.
