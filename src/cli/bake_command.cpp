@@ -126,7 +126,7 @@ void check_options(const BakeOptions& options) {
   if (options.baking.per == Per::face && options.baking.filter != Filter::none) {
     throw std::invalid_argument("--filter least-squares is for --per vertex and corner, not for --per face");
   }
-  check_rays(options.baking.method, options.baking.occlusion);
+  check_question(options.baking.method, options.baking.occlusion);
 }
 
 void bake(const BakeOptions& options) {

@@ -92,7 +92,7 @@ void require_ability(const MethodOptions& options, Ability ability, std::string_
   refuse(option, "method", able, kind.word);
 }
 
-void check_rays(const MethodOptions& options, const OcclusionOptions& occlusion) {
+void check_question(const MethodOptions& options, const OcclusionOptions& occlusion) {
   const method::Question question = occlusion.question(occlusion.radius ? occlusion.radius->value : 1);
   const std::string special = question.special_rays();
   if (!special.empty()) require_ability(options, &method::Abilities::any_rays, special);

@@ -24,7 +24,7 @@ void check_method(const MethodOptions& options);
 // --method bvh and raster, not for --method embree".
 void require_ability(const MethodOptions& options, bool method::Abilities::*ability, std::string_view option);
 
-// An infinite radius with rays of several lengths is not for every method, nor are rays that are not the usual ones.
-void check_rays(const MethodOptions& options, const OcclusionOptions& occlusion);
+// Not every method takes every radius, falloff, weighting and --min-distance.
+void check_question(const MethodOptions& options, const OcclusionOptions& occlusion);
 
 }  // namespace lkao::cli

@@ -80,9 +80,9 @@ void print_table(const RenderOptions& options, const Rendering& result) {
 
 // What is asked of the method, and of the one it is checked against, must be among their abilities.
 void check_abilities(const RenderingOptions& options) {
-  check_rays(options.method, options.occlusion);
+  check_question(options.method, options.occlusion);
   if (options.reference) {
-    check_rays({&method::reference_of(*options.method.kind), options.method.settings}, options.occlusion);
+    check_question({&method::reference_of(*options.method.kind), options.method.settings}, options.occlusion);
   }
   if (options.lod) require_ability(options.method, &method::Abilities::levels, "--lod");
   if (options.layers.bent_normals) require_ability(options.method, &method::Abilities::bent_normals, "--bent-normals");

@@ -15,7 +15,7 @@ using method::Batch, method::BatchCheck, method::Deviation, method::MethodKind, 
 namespace {
 
 std::string speed_text(std::uint64_t ray_count, double seconds) {
-  if (ray_count == 0) return fmt::format("{:.3f} s", seconds);
+  if (ray_count == 0) return fmt::format("{:.3f} s", seconds);  // not every method casts rays
   return fmt::format("{:.3f} s, {:.2f} Mrays/s", seconds, mrays_per_second(ray_count, seconds));
 }
 

@@ -55,7 +55,7 @@ const Setting& layers_setting() {
 const Setting& near_samples_setting() {
   static const Setting setting{.name = "near-samples",
                                .help = "Pixels that the near half looks at, at most; the sum is scaled to stand for all",
-                               .values = Range{1, 65536, true},
+                               .values = Range{1, 16384, true},
                                .default_text = "64"};
   return setting;
 }

@@ -17,7 +17,7 @@ namespace {
 constexpr int kWidth = 40;
 constexpr int kHeight = 30;
 constexpr SplatOptions kAll{
-    .far_half = false, .near_radius = 0.5f, .samples_per_pixel = 1e6f, .max_sample_count = 65536};
+    .far_half = false, .near_radius = 0.5f, .samples_per_pixel = 1e6f, .max_sample_count = 16384};
 
 Camera straight_camera() { return {glm::mat4(1), glm::perspective(1.0f, 4.0f / 3, 0.1f, 50.0f)}; }
 

@@ -10,6 +10,7 @@
 #include "gpu/mesh/shapes_block.h"
 #include "gpu/on_software.h"
 #include "gpu/screen/filter_block.h"
+#include "gpu/screen/splat/splat_block.h"
 
 namespace lkao::gl::tests {
 namespace {
@@ -58,6 +59,11 @@ TEST_F(UniformBlocks, AreLaidOutAlike) {
   LKAO_EXPECT_OFFSET(resolve, MaskPassBlock, ray_count);
   LKAO_EXPECT_OFFSET(resolve, MaskPassBlock, jitter_tilt);
   LKAO_EXPECT_OFFSET(resolve, MaskPassBlock, background);
+
+  const ProgramObject splats = make_program({"screen/splat/near.comp"});
+  EXPECT_EQ(size_of(splats, "SplatBlock"), static_cast<GLint>(sizeof(SplatBlock)));
+  LKAO_EXPECT_OFFSET(splats, SplatBlock, near_radius);
+  LKAO_EXPECT_OFFSET(splats, SplatBlock, scale);
 
   const ProgramObject filter = make_program({"screen/bilateral.comp"});
   EXPECT_EQ(size_of(filter, "FilterBlock"), static_cast<GLint>(sizeof(FilterBlock)));

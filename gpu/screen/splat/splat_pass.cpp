@@ -43,8 +43,8 @@ void check(const SplatOptions& options) {
     lut::require(options.near_radius > 0 && options.near_radius <= kLargest, "near_radius", "above 0, at most 1e18",
                  options.near_radius);
     lut::require(options.samples_per_pixel >= 0, "samples_per_pixel", "at least 0", options.samples_per_pixel);
-    lut::require(options.max_sample_count >= 1 && options.max_sample_count <= 65536, "max_sample_count",
-                 "from 1 to 65536", options.max_sample_count);
+    lut::require(options.max_sample_count >= 1 && options.max_sample_count <= 16384, "max_sample_count",
+                 "from 1 to 16384", options.max_sample_count);
     lut::require(share > 0 && share <= 16, "pixel_sphere_radius", "above 0, at most 16", share);
   }
   if (options.far_half) {
