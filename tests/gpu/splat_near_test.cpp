@@ -19,38 +19,9 @@ constexpr int kHeight = 30;
 constexpr SplatOptions kAll{
     .far_half = false, .near_radius = 0.5f, .samples_per_pixel = 1e6f, .max_sample_count = 16384};
 
-Camera straight_camera() { return {glm::mat4(1), glm::perspective(1.0f, 4.0f / 3, 0.1f, 50.0f)}; }
-
-// What the centres of pixels see of surfaces: y as a function of x and z, as seen from the origin along -z. Found by
-// halving, so `height` must be below 0 and seen from above.
-template <typename Height>
-SplatView view_of_ground(Height height, int width = kWidth, int image_height = kHeight) {
-  const Camera camera = straight_camera();
-  std::vector<SplatPixel> pixels(static_cast<std::size_t>(width * image_height));
-  for (int y = 0; y < image_height; ++y) {
-    for (int x = 0; x < width; ++x) {
-      const auto at = [&](double along) { return seen_at(camera, width, image_height, x, y, along); };
-      double low = 0.05, high = 30;
-      if (at(high).y > height(at(high).x, at(high).z)) continue;
-      for (int i = 0; i < 80; ++i) {
-        const double middle = 0.5 * (low + high);
-        const glm::dvec3 p = at(middle);
-        (p.y > height(p.x, p.z) ? low : high) = middle;
-      }
-      const glm::dvec3 p = at(low);
-      const double step = 1e-4;
-      const glm::dvec3 normal = glm::normalize(
-          glm::dvec3((height(p.x - step, p.z) - height(p.x + step, p.z)) / (2 * step), 1,
-                     (height(p.x, p.z - step) - height(p.x, p.z + step)) / (2 * step)));
-      pixels[static_cast<std::size_t>(y * width + x)] = {glm::vec3(p), glm::vec3(normal), glm::vec3(normal)};
-    }
-  }
-  return {camera, width, image_height, pixels};
-}
-
-SplatView view_of_waves(int width = kWidth, int height = kHeight) {
-  return view_of_ground([](double x, double z) { return -1.2 + 0.15 * std::sin(6 * x) * std::cos(5 * z); }, width,
-                        height);
+SplatView view_of_waves() {
+  return view_of_ground([](double x, double z) { return -1.2 + 0.15 * std::sin(6 * x) * std::cos(5 * z); }, kWidth,
+                        kHeight);
 }
 
 // The mean over seeds against the sum over all pixels; the variance of a pixel of one seed, over the pixels.
@@ -218,7 +189,7 @@ TEST_F(SplatNear, AnyGBufferWillDo) {
 }
 
 TEST_F(SplatNear, ShadingNormalsDoNotDarkenWhatIsFlat) {
-  const SplatView flat = view_of_ground([](double, double) { return -1.2; });
+  const SplatView flat = view_of_ground([](double, double) { return -1.2; }, kWidth, kHeight);
   std::vector<SplatPixel> pixels = flat.pixels();
   for (SplatPixel& pixel : pixels) {
     if (pixel.is_there()) pixel.normal = glm::normalize(glm::dvec3(0.3, 1, -0.2));

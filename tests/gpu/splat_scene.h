@@ -107,6 +107,36 @@ inline SplatView random_view(const Camera& camera, int width, int height, std::u
   return {camera, width, height, pixels};
 }
 
+// Looks along -z from the origin.
+inline Camera straight_camera() { return {glm::mat4(1), glm::perspective(1.0f, 4.0f / 3, 0.1f, 50.0f)}; }
+
+// What the centres of pixels see of a ground, y as a function of x and z that is below 0. Found by halving: nothing of
+// it may hide something else.
+template <typename Height>
+SplatView view_of_ground(Height height, int width, int image_height) {
+  const Camera camera = straight_camera();
+  std::vector<SplatPixel> pixels(static_cast<std::size_t>(width * image_height));
+  for (int y = 0; y < image_height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      const auto at = [&](double along) { return seen_at(camera, width, image_height, x, y, along); };
+      double low = 0.05, high = 30;
+      if (at(high).y > height(at(high).x, at(high).z)) continue;
+      for (int i = 0; i < 80; ++i) {
+        const double middle = 0.5 * (low + high);
+        const glm::dvec3 p = at(middle);
+        (p.y > height(p.x, p.z) ? low : high) = middle;
+      }
+      const glm::dvec3 p = at(low);
+      const double step = 1e-4;
+      const glm::dvec3 normal = glm::normalize(
+          glm::dvec3((height(p.x - step, p.z) - height(p.x + step, p.z)) / (2 * step), 1,
+                     (height(p.x, p.z - step) - height(p.x, p.z + step)) / (2 * step)));
+      pixels[static_cast<std::size_t>(y * width + x)] = {glm::vec3(p), glm::vec3(normal), glm::vec3(normal)};
+    }
+  }
+  return {camera, width, image_height, pixels};
+}
+
 // SphereFormula for r / d = `sine`.
 inline double expected_share(SphereFormula formula, double sine, double cosine) {
   const double cap = 2 * (1 - std::cos(std::asin(std::min(sine, 1.0))));
