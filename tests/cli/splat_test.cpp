@@ -65,7 +65,9 @@ TEST_F(SplatRender, EachHalfSeesSomethingAndBothAreNearRays) {
 }
 
 TEST_F(SplatRender, EverySettingChangesThePicture) {
-  expect_success(render("usual"));
+  // The near half must reach several pixels.
+  const Arguments wide = {"--near-share", "0.9"};
+  expect_success(render("usual", wide));
   const std::vector<float> usual = pixels("usual");
   for (const Arguments& more : {Arguments{"--near-share", "0.5"},
                                 {"--layers", "1"},
@@ -82,7 +84,7 @@ TEST_F(SplatRender, EverySettingChangesThePicture) {
                                 {"--seed", "5"},
                                 {"--radius", "inf"}}) {
     SCOPED_TRACE(testing::PrintToString(more));
-    Arguments arguments = render("other");
+    Arguments arguments = render("other", wide);
     const auto given = std::find(arguments.begin(), arguments.end(), more[0]);
     if (given != arguments.end()) arguments.erase(given, given + 2);
     arguments.insert(arguments.end(), more.begin(), more.end());
