@@ -35,8 +35,8 @@ struct SurfaceSample {
 //
 // Based on: S. Lloyd, "Least Squares Quantization in PCM", IEEE Transactions on Information Theory 28(2), 1982, for the
 // spheres of P. Shanmugam, O. Arikan, "Hardware Accelerated Ambient Occlusion Techniques on GPUs", I3D 2007, Sec. 5.
-// Differs from the paper: it clusters vertices of evenly fine meshes, it seems (it does not say). Here triangles are cut
-// where they are large, so that a floor of two triangles becomes many spheres.
+// Differs from the paper: it clusters vertices of evenly fine meshes, it seems (it does not say). Here triangles are
+// cut where they are large, so that a floor of two triangles becomes many spheres.
 //
 // The same for any number of threads; works in the TBB arena of the caller.
 class MeshSpheres {

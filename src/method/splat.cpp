@@ -21,9 +21,8 @@ constexpr Word<Halves> kHalvesWords[] = {
 constexpr Word<int> kLayerWords[] = {{"1", 1}, {"2", 2}};
 constexpr Word<gl::SampleDensity> kDensityWords[] = {{"even", gl::SampleDensity::even},
                                                      {"falling", gl::SampleDensity::falling}};
-constexpr Word<gl::SphereFormula> kFormulaWords[] = {{"cap", gl::SphereFormula::cap},
-                                                     {"exact", gl::SphereFormula::exact},
-                                                     {"printed", gl::SphereFormula::printed}};
+constexpr Word<gl::SphereFormula> kFormulaWords[] = {
+    {"cap", gl::SphereFormula::cap}, {"exact", gl::SphereFormula::exact}, {"printed", gl::SphereFormula::printed}};
 constexpr Word<gl::InsideSphere> kInsideWords[] = {{"nothing", gl::InsideSphere::nothing},
                                                    {"everything", gl::InsideSphere::everything}};
 // An infinite AO radius is for the far half alone: the near one then takes its share of this part of the diagonal.
@@ -31,16 +30,17 @@ constexpr double kShareOfDiagonal = 0.05;
 
 const Setting& halves_setting() {
   static const Setting setting =
-      word_setting("halves", "Spheres of the pixels around a receiver (near), of the scene (far), or both", kHalvesWords,
-                   Halves::both);
+      word_setting("halves", "Spheres of the pixels around a receiver (near), of the scene (far), or both",
+                   kHalvesWords, Halves::both);
   return setting;
 }
 
 const Setting& near_share_setting() {
   static const Setting setting{
       .name = "near-share",
-      .help = "With both halves, r_far of the near one, and where the far one begins: a share of the AO radius, or of "
-              "5% of the scene's diagonal where that is infinite. The near half alone takes all of it",
+      .help =
+          "With both halves, r_far of the near one, and where the far one begins: a share of the AO radius, or of "
+          "5% of the scene's diagonal where that is infinite. The near half alone takes all of it",
       .values = Range{0.001, 1},
       .default_text = "0.25"};
   return setting;
@@ -53,10 +53,11 @@ const Setting& layers_setting() {
 }
 
 const Setting& near_samples_setting() {
-  static const Setting setting{.name = "near-samples",
-                               .help = "Pixels that the near half looks at, at most; the sum is scaled to stand for all",
-                               .values = Range{1, 16384, true},
-                               .default_text = "64"};
+  static const Setting setting{
+      .name = "near-samples",
+      .help = "Pixels that the near half looks at, at most; the sum is scaled to stand for all",
+      .values = Range{1, 16384, true},
+      .default_text = "64"};
   return setting;
 }
 
@@ -138,8 +139,8 @@ class Splat : public Method {
         halves_(settings.value(halves_setting(), kHalvesWords)),
         layer_count_(settings.value(layers_setting(), kLayerWords)),
         near_share_(settings.number(near_share_setting())),
-        sphere_options_({.count = whole(settings, spheres_setting()),
-                         .iteration_count = whole(settings, rounds_setting())}),
+        sphere_options_(
+            {.count = whole(settings, spheres_setting()), .iteration_count = whole(settings, rounds_setting())}),
         splatter_(prepare_device(settings)) {
     options_.near_half = halves_ != Halves::far_half;
     options_.far_half = halves_ != Halves::near_half;
@@ -196,12 +197,14 @@ class Splat : public Method {
     remarks.keys["gl"] = gl;
     remarks.rows.emplace_back("OpenGL", device());
     if (options_.near_half) {
-      remarks.rows.emplace_back("near half", fmt::format("up to {:.4g}, at most {} of its pixels, layers: {}",
-                                                         options_.near_radius, options_.max_sample_count, layer_count_));
+      remarks.rows.emplace_back("near half",
+                                fmt::format("up to {:.4g}, at most {} of its pixels, layers: {}", options_.near_radius,
+                                            options_.max_sample_count, layer_count_));
     }
     if (options_.far_half) {
-      remarks.rows.emplace_back("far half", fmt::format("{} spheres in {:.3f} s, epsilon {:g}, {:.1f} fragments a pixel",
-                                                        sphere_count_, build_seconds_, options_.epsilon, fragments));
+      remarks.rows.emplace_back(
+          "far half", fmt::format("{} spheres in {:.3f} s, epsilon {:g}, {:.1f} fragments a pixel", sphere_count_,
+                                  build_seconds_, options_.epsilon, fragments));
     }
     remarks.rows.emplace_back("frame", fmt::format("{:.2f} ms, median of {}", milliseconds, times_.frame_count));
     return remarks;
@@ -254,8 +257,8 @@ MethodKind splat_kind() {
   return {
       .summary = "OpenGL, spheres of the pixels and of the scene",
       .settings = {&device_setting(), &halves_setting(), &near_share_setting(), &layers_setting(),
-                   &near_samples_setting(), &near_rate_setting(), &near_density_setting(), &pixel_sphere_setting(), &spheres_setting(),
-                   &rounds_setting(), &epsilon_setting(), &formula_setting(), &inside_setting()},
+                   &near_samples_setting(), &near_rate_setting(), &near_density_setting(), &pixel_sphere_setting(),
+                   &spheres_setting(), &rounds_setting(), &epsilon_setting(), &formula_setting(), &inside_setting()},
       .abilities = abilities,
       .open = [](const Settings& settings) -> std::unique_ptr<Method> { return std::make_unique<Splat>(settings); }};
 }

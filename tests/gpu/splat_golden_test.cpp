@@ -28,8 +28,8 @@ constexpr SplatOptions kOptions{
 class SplatGolden : public OnSoftware {
  protected:
   static SplatView ground() {
-    return view_of_ground([](double x, double z) { return -0.9 + 0.1 * std::sin(7 * x + z) * std::cos(5 * z); },
-                          kWidth, kHeight);
+    return view_of_ground([](double x, double z) { return -0.9 + 0.1 * std::sin(7 * x + z) * std::cos(5 * z); }, kWidth,
+                          kHeight);
   }
   static std::vector<glm::vec4> balls() {
     return {{-0.5f, -0.6f, -2, 0.25f}, {0.6f, -0.5f, -2.4f, 0.35f}, {0.1f, -0.75f, -1.6f, 0.12f}, {0, 0, -5, 1}};
@@ -65,9 +65,8 @@ TEST_F(SplatGolden, IsItsDefinition) {
   std::vector<float> occlusion;
   for (std::size_t i = 0; i < view.pixels().size(); ++i) {
     const SplatPixel& pixel = view.pixels()[i];
-    const double sum = pixel.is_there()
-                           ? expected_near(view, i, {&view}, kOptions) + expected_far(pixel, balls(), kOptions)
-                           : 0.0;
+    const double sum =
+        pixel.is_there() ? expected_near(view, i, {&view}, kOptions) + expected_far(pixel, balls(), kOptions) : 0.0;
     occlusion.push_back(static_cast<float>(std::fmin(sum, 1.0)));
   }
   if (std::getenv("LKAO_REMAKE_GOLDEN") != nullptr) {

@@ -88,8 +88,8 @@ class SplatNear : public OnSoftware {
 
 TEST_F(SplatNear, NothingOfAPlaneIsAboveItsHorizon) {
   for (const auto& [slope_x, slope_z] : {std::pair{0.0, 0.0}, {0.5, 0.3}, {-1.5, 0.1}, {0.2, -0.05}}) {
-    const SplatView view = view_of_ground(
-        [a = slope_x, b = slope_z](double x, double z) { return -1.5 + a * x + b * z; }, 120, 90);
+    const SplatView view =
+        view_of_ground([a = slope_x, b = slope_z](double x, double z) { return -1.5 + a * x + b * z; }, 120, 90);
     SplatOptions options = kAll;
     options.near_radius = 1;
     options.max_sample_count = 500;
@@ -148,7 +148,9 @@ TEST_F(SplatNear, TwoLayersSeeWhatOneMisses) {
   for (int y = 0; y < kHeight; ++y) {
     for (int x = 0; x < kWidth; ++x) {
       const auto i = static_cast<std::size_t>(y * kWidth + x);
-      const auto at = [&](double along) { return glm::dvec3(glm::vec3(seen_at(camera, kWidth, kHeight, x, y, along))); };
+      const auto at = [&](double along) {
+        return glm::dvec3(glm::vec3(seen_at(camera, kWidth, kHeight, x, y, along)));
+      };
       const glm::dvec3 ray = at(1);
       const bool is_left = x < kWidth / 2;
       if (ray.y >= 0) continue;

@@ -83,8 +83,7 @@ class SplatView {
 inline glm::dvec3 seen_at(const Camera& camera, int width, int height, int x, int y, double along) {
   const glm::dmat4 world_from_clip = glm::inverse(glm::dmat4(camera.projection) * glm::dmat4(camera.view));
   const auto unproject = [&](double depth) {
-    const glm::dvec4 h =
-        world_from_clip * glm::dvec4((2.0 * x + 1) / width - 1, (2.0 * y + 1) / height - 1, depth, 1);
+    const glm::dvec4 h = world_from_clip * glm::dvec4((2.0 * x + 1) / width - 1, (2.0 * y + 1) / height - 1, depth, 1);
     return glm::dvec3(h) / h.w;
   };
   const auto along_view = [&](const glm::dvec3& p) { return -(glm::dmat4(camera.view) * glm::dvec4(p, 1)).z; };
@@ -128,9 +127,9 @@ SplatView view_of_ground(Height height, int width, int image_height) {
       }
       const glm::dvec3 p = at(low);
       const double step = 1e-4;
-      const glm::dvec3 normal = glm::normalize(
-          glm::dvec3((height(p.x - step, p.z) - height(p.x + step, p.z)) / (2 * step), 1,
-                     (height(p.x, p.z - step) - height(p.x, p.z + step)) / (2 * step)));
+      const glm::dvec3 normal =
+          glm::normalize(glm::dvec3((height(p.x - step, p.z) - height(p.x + step, p.z)) / (2 * step), 1,
+                                    (height(p.x, p.z - step) - height(p.x, p.z + step)) / (2 * step)));
       pixels[static_cast<std::size_t>(y * width + x)] = {glm::vec3(p), glm::vec3(normal), glm::vec3(normal)};
     }
   }

@@ -46,7 +46,8 @@ double squared_error(const MeshSpheres& spheres, const scene::Mesh& mesh) {
   for (const SurfaceSample& sample : spheres.samples()) {
     const glm::uvec3 t = mesh.triangles[sample.triangle];
     const glm::dvec3 a(mesh.positions[t.x]), b(mesh.positions[t.y]), c(mesh.positions[t.z]);
-    const glm::dvec3 off = a + sample.corner.x * (b - a) + sample.corner.y * (c - a) - glm::dvec3(centres[sample.sphere]);
+    const glm::dvec3 off =
+        a + sample.corner.x * (b - a) + sample.corner.y * (c - a) - glm::dvec3(centres[sample.sphere]);
     sum += sample.share * area_of(Triangle{a, b, c}) * glm::dot(off, off);
   }
   return sum;

@@ -13,12 +13,12 @@ float samples_per_pixel;
 int max_sample_count;
 int has_falling_density;  // of samples
 uint seed;
-int is_exact;          // the formula: (r / d)^2, or the cap
-float scale;           // of what the formula gives
-float reach;           // of a sphere of radius 1
-float far_begin;       // between these distances the spheres of the far half count
-float far_end;         // perhaps infinite
-int blocks_inside;     // a sphere blocks all of a receiver within
+int is_exact;       // the formula: (r / d)^2, or the cap
+float scale;        // of what the formula gives
+float reach;        // of a sphere of radius 1
+float far_begin;    // between these distances the spheres of the far half count
+float far_end;      // perhaps infinite
+int blocks_inside;  // a sphere blocks all of a receiver within
 float background;
 LKAO_BLOCK_END(pass)
 

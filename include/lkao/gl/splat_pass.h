@@ -80,10 +80,10 @@ struct SplatPassSetup {
   bool count_fragments = false;
 };
 
-// Approximate ambient occlusion for moving scenes, from two sources that are added up. The near half takes each pixel of
-// the G-buffer for a small sphere and gathers those around a receiver: detail, whatever the scene's size, but only of
-// what is seen. The far half splats the spheres of the scene over the pixels that they reach: large, distant occluders,
-// seen or not.
+// Approximate ambient occlusion for moving scenes, from two sources that are added up. The near half takes each pixel
+// of the G-buffer for a small sphere and gathers those around a receiver: detail, whatever the scene's size, but only
+// of what is seen. The far half splats the spheres of the scene over the pixels that they reach: large, distant
+// occluders, seen or not.
 //
 // Based on: P. Shanmugam, O. Arikan, "Hardware Accelerated Ambient Occlusion Techniques on GPUs", I3D 2007.
 //
