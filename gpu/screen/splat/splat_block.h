@@ -17,7 +17,7 @@ int is_exact;       // the formula: (r / d)^2, or the cap
 float scale;        // of what the formula gives
 float reach;        // of a sphere of radius 1
 float far_begin;    // between these distances the spheres of the far half count
-float far_end;      // perhaps infinite
+float far_end;      // beyond all that is usable where there is no end
 int blocks_inside;  // a sphere blocks all of a receiver within
 float background;
 LKAO_BLOCK_END(pass)
