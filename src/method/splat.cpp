@@ -23,7 +23,8 @@ constexpr Word<gl::SampleDensity> kDensityWords[] = {{"even", gl::SampleDensity:
                                                      {"falling", gl::SampleDensity::falling}};
 constexpr Word<gl::SphereFormula> kFormulaWords[] = {
     {"cap", gl::SphereFormula::cap}, {"exact", gl::SphereFormula::exact}, {"printed", gl::SphereFormula::printed}};
-constexpr Word<gl::InsideSphere> kInsideWords[] = {{"nothing", gl::InsideSphere::nothing},
+constexpr Word<gl::InsideSphere> kInsideWords[] = {{"faded", gl::InsideSphere::faded},
+                                                   {"nothing", gl::InsideSphere::nothing},
                                                    {"everything", gl::InsideSphere::everything}};
 // An infinite AO radius is for the far half alone: the near one then takes its share of this part of the diagonal.
 constexpr double kShareOfDiagonal = 0.05;
@@ -117,8 +118,10 @@ const Setting& formula_setting() {
 
 const Setting& inside_setting() {
   static const Setting setting =
-      word_setting("inside", "What a sphere of the far half blocks of receivers inside of it (the paper: everything)",
-                   kInsideWords, gl::InsideSphere::nothing);
+      word_setting("inside",
+                   "What a sphere of the far half blocks of receivers inside of it: nothing, to which it fades from "
+                   "three radii on; nothing; or, as the paper has it, everything",
+                   kInsideWords, gl::InsideSphere::faded);
   return setting;
 }
 

@@ -84,7 +84,9 @@ class SplatFar : public OnSoftware {
     return false;
   }
 
-  static SplatOptions far_only(float epsilon = 0.01f) { return {.near_half = false, .epsilon = epsilon}; }
+  static SplatOptions far_only(float epsilon = 0.01f) {
+    return {.near_half = false, .epsilon = epsilon, .inside = InsideSphere::nothing};
+  }
 
   std::unique_ptr<SplatPass> pass_;
 };
@@ -125,10 +127,12 @@ TEST_F(SplatFar, SpheresAreAddedUpWhereverTheyAre) {
     const SplatView view = random_view(camera, kWidth, kHeight, 4);
     const std::vector<glm::vec4> spheres = random_spheres(camera, 200);
     for (const float epsilon : {0.2f, 0.01f}) EXPECT_GT(expect_sums(view, spheres, far_only(epsilon)), 300u);
-    SplatOptions options = far_only();
-    options.far_radius = 1.5f;
-    options.inside = InsideSphere::everything;
-    EXPECT_GT(expect_sums(view, spheres, options), 300u);
+    for (const InsideSphere inside : {InsideSphere::faded, InsideSphere::everything}) {
+      SplatOptions options = far_only();
+      options.far_radius = 1.5f;
+      options.inside = inside;
+      EXPECT_GT(expect_sums(view, spheres, options), 300u);
+    }
   }
 }
 

@@ -157,7 +157,9 @@ inline double expected_far(const SplatPixel& pixel, const std::vector<glm::vec4>
       sum += options.inside == InsideSphere::everything ? 1 : 0;
       continue;
     }
-    const double begin = std::fmax(distance - radius, options.near_half ? options.near_radius : 0);
+    const double nearest =
+        std::fmax(options.near_half ? options.near_radius : 0, options.inside == InsideSphere::faded ? 2 * radius : 0);
+    const double begin = std::fmax(distance - radius, nearest);
     const double end = std::fmin(distance + radius, options.far_radius);
     sum += std::clamp((end - begin) / (2 * radius), 0.0, 1.0) *
            expected_share(options.formula, radius / distance, glm::dot(pixel.normal, to) / distance);

@@ -7,6 +7,7 @@
 // - Pixels within the billboard but beyond d_far get nothing, so that the picture does not depend on billboards.
 // - Only the share of a sphere that is beyond the near half counts, where the paper lets both overlap; so that nothing
 //   jumps, it grows from nothing to all while the sphere passes that distance.
+// - Where a receiver comes near a sphere, it fades (InsideSphere::faded), where the paper blocks all within.
 #include "gpu/screen/splat/sphere.glsl"
 #include "gpu/screen/splat/units.h"
 
@@ -16,7 +17,8 @@ layout(location = 0) out float occlusion;
 
 // How much of the sphere's extent along the line to the receiver lies where the far half counts.
 float share_in_range(float distance_to_it) {
-  float begin = max(distance_to_it - sphere.w, pass.far_begin), end = min(distance_to_it + sphere.w, pass.far_end);
+  float nearest = max(pass.far_begin, pass.fade_begin * sphere.w);
+  float begin = max(distance_to_it - sphere.w, nearest), end = min(distance_to_it + sphere.w, pass.far_end);
   return clamp((end - begin) / (2.0 * sphere.w), 0.0, 1.0);
 }
 

@@ -18,6 +18,7 @@ float scale;        // of what the formula gives
 float reach;        // of a sphere of radius 1
 float far_begin;    // between these distances the spheres of the far half count
 float far_end;      // beyond all that is usable where there is no end
+float fade_begin;   // nearer than so many radii nothing of a sphere counts
 int blocks_inside;  // a sphere blocks all of a receiver within
 float background;
 LKAO_BLOCK_END(pass)

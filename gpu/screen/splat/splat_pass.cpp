@@ -77,6 +77,7 @@ SplatBlock make_block(const SplatOptions& options, int layer_count, float backgr
   block.far_begin = has_both ? options.near_radius : 0.0f;
   // Beyond all that is usable; squares and sums of it are no concern of shaders.
   block.far_end = std::min(options.far_radius, static_cast<float>(4 * kLargest));
+  block.fade_begin = options.inside == InsideSphere::faded ? 2.0f : 0.0f;
   block.blocks_inside = options.inside == InsideSphere::everything;
   block.background = background;
   return block;

@@ -26,7 +26,8 @@ enum class SphereFormula {
 
 // What a sphere of the far half blocks of receivers inside of it.
 enum class InsideSphere {
-  nothing,     // it is the near half's: what is so close is among the pixels
+  faded,       // nothing, and less and less from three radii on: what a sphere stands for is no sphere from so near
+  nothing,     // nothing, but all of it outside: shows the outlines of spheres
   everything,  // as the paper has it (Sec. 6); the scene's surface lies within its own spheres, so much gets black
 };
 
@@ -61,7 +62,7 @@ struct SplatOptions {
   float epsilon = 0.01f;
   // No farther than that in any case, by the share of their extent that is nearer, as above: an AO radius. Above 0.
   float far_radius = std::numeric_limits<float>::infinity();
-  InsideSphere inside = InsideSphere::nothing;
+  InsideSphere inside = InsideSphere::faded;
 
   // Of both.
   SphereFormula formula = SphereFormula::cap;
