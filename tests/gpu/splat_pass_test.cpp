@@ -109,8 +109,8 @@ TEST_F(Splats, WriteEverySize) {
 
 TEST_F(Splats, WriteEveryFormat) {
   const std::vector<float> exact = view_->draw(*pass_, kBoth);
-  for (const GLenum format : {GL_R8, GL_R16, GL_R16F}) {
-    const std::vector<float> drawn = view_->draw(*pass_, kBoth, nullptr, format);
+  for (const int format : {GL_R8, GL_R16, GL_R16F}) {
+    const std::vector<float> drawn = view_->draw(*pass_, kBoth, nullptr, static_cast<GLenum>(format));
     for (std::size_t i = 0; i < drawn.size(); ++i) ASSERT_NEAR(drawn[i], exact[i], 0.6 / 255);
   }
 }
