@@ -54,6 +54,9 @@ struct FramebufferKind {
 struct VertexArrayKind {
   static void destroy(GLuint name) { glDeleteVertexArrays(1, &name); }
 };
+struct QueryKind {
+  static void destroy(GLuint name) { glDeleteQueries(1, &name); }
+};
 struct ProgramKind {
   static void destroy(GLuint name) { glDeleteProgram(name); }
 };
@@ -66,6 +69,7 @@ using Texture = Object<TextureKind>;
 using Sampler = Object<SamplerKind>;
 using Framebuffer = Object<FramebufferKind>;
 using VertexArray = Object<VertexArrayKind>;
+using Query = Object<QueryKind>;
 using ProgramObject = Object<ProgramKind>;
 using ShaderObject = Object<ShaderKind>;
 
@@ -109,6 +113,12 @@ inline VertexArray make_vertex_array() {
   GLuint name = 0;
   glCreateVertexArrays(1, &name);
   return VertexArray(name);
+}
+
+inline Query make_query(GLenum target) {
+  GLuint name = 0;
+  glCreateQueries(target, 1, &name);
+  return Query(name);
 }
 
 }  // namespace lkao::gl

@@ -20,5 +20,6 @@
 #include "lkao/gl/frame.h"
 #include "lkao/gl/mask_pass.h"
 #include "lkao/gl/occluders.h"
+#include "lkao/gl/splat_pass.h"
 #include "lkao/gl/status.h"
 #include "lkao/gl/volume_pass.h"

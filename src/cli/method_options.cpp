@@ -95,13 +95,16 @@ void require_ability(const MethodOptions& options, Ability ability, std::string_
 
 void check_question(const MethodOptions& options, const OcclusionOptions& occlusion) {
   using method::Abilities;
-  if (occlusion.falloff.name() != "linear") {
-    require_ability(options, &Abilities::all_falloffs,
-                    fmt::format("--falloff {} (not linear)", occlusion.falloff.name()));
-  }
+  const std::string_view falloff = occlusion.falloff.name();
+  require_ability(options,
+                  falloff == "constant" ? &Abilities::constant_falloff
+                  : falloff == "linear" ? &Abilities::linear_falloff
+                                        : &Abilities::other_falloffs,
+                  fmt::format("--falloff {}", falloff));
   if (occlusion.weighting == Weighting::uniform) {
     require_ability(options, &Abilities::uniform_weighting, "--weighting uniform");
   }
+  if (occlusion.sidedness == Sidedness::one_sided) require_ability(options, &Abilities::one_sided, "--sided one");
   if (occlusion.min_distance > 0) require_ability(options, &Abilities::min_distance, "--min-distance");
   if (occlusion.radius && std::isinf(occlusion.radius->value)) {
     require_ability(options, &Abilities::infinite_radius, "--radius inf");

@@ -10,5 +10,6 @@ MethodKind embree_kind();
 // By OpenGL.
 MethodKind masks_kind();
 MethodKind volumes_kind();
+MethodKind splat_kind();
 
 }  // namespace lkao::method

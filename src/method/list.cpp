@@ -19,6 +19,7 @@ constexpr Word<MethodKind (*)()> kMethods[] = {
     {"embree", embree_kind},
     {"raster", LKAO_GL_KIND(masks_kind)},
     {"volumes", LKAO_GL_KIND(volumes_kind)},
+    {"splat", LKAO_GL_KIND(splat_kind)},
 };
 constexpr std::size_t kTraversal = 0, kEmbree = 1;
 

@@ -28,9 +28,10 @@ struct Abilities {
   bool infinite_lengths = true;  // Question::has_infinite_lengths()
   bool any_receivers = true;     // false: only all pixels of a view at once
   bool infinite_radius = true;
-  bool min_distance = true;       // Question::min_distance
-  bool all_falloffs = true;       // false: Falloff::linear() alone
-  bool uniform_weighting = true;  // Weighting::uniform
+  bool min_distance = true;  // Question::min_distance
+  bool one_sided = true;     // Sidedness::one_sided
+  bool uniform_weighting = true;
+  bool constant_falloff = true, linear_falloff = true, other_falloffs = true;
 };
 
 // What a camera sees. The receivers in question are its pixels.

@@ -1,6 +1,7 @@
 #include "method/settings.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <stdexcept>
 
@@ -17,8 +18,10 @@ void Setting::check(const std::string& text) const {
   }
   const Range& range = std::get<Range>(values);
   const std::optional<double> number = read_number<double>(text);
-  if (number && *number >= range.least && *number <= range.most) return;
-  throw std::invalid_argument(fmt::format("expected a number from {} to {}, got '{}'", range.least, range.most, text));
+  const bool is_in_range = number && *number >= range.least && *number <= range.most;
+  if (is_in_range && (!range.is_whole || *number == std::floor(*number))) return;
+  throw std::invalid_argument(fmt::format("expected a {}number from {} to {}, got '{}'", range.is_whole ? "whole " : "",
+                                          range.least, range.most, text));
 }
 
 std::string Setting::values_text() const {

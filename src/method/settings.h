@@ -15,6 +15,7 @@ namespace lkao::method {
 struct Range {
   double least;
   double most;
+  bool is_whole = false;  // only whole ones
 };
 
 // One that several methods share is one object: it is told apart by its address.

@@ -80,8 +80,9 @@ Abilities abilities(const Settings&) {
           .any_receivers = false,
           .infinite_radius = false,
           .min_distance = false,
-          .all_falloffs = false,
-          .uniform_weighting = false};
+          .uniform_weighting = false,
+          .constant_falloff = false,
+          .other_falloffs = false};
 }
 
 class VolumesMethod : public Method {

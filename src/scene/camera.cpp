@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -90,8 +91,10 @@ struct Hit {
   float v = 0;
 };
 
-Hit cast(RTCScene scene, const glm::dvec3& origin, const glm::dvec3& direction) {
+// The first hit farther than `near`, in lengths of the direction.
+Hit cast(RTCScene scene, const glm::dvec3& origin, const glm::dvec3& direction, double near = 0) {
   RTCRayHit query{};
+  query.ray.tnear = static_cast<float>(near);
   query.ray.org_x = static_cast<float>(origin.x);
   query.ray.org_y = static_cast<float>(origin.y);
   query.ray.org_z = static_cast<float>(origin.z);
@@ -166,6 +169,58 @@ double distance_to_fit(const Bounds& bounds, const glm::dvec3& to_eye, const glm
   return distance > 0 ? distance : 1;  // 1 for a box that is a single point
 }
 
+// What casts the rays of pixels.
+class Tracer {
+ public:
+  Tracer(const Mesh& mesh, NormalSource normals) : normals_(mesh, normals), device_(rtcNewDevice(nullptr)) {
+    if (!device_) throw std::runtime_error("find_receivers: Embree cannot make a device");
+    scene_ = make_scene(device_.get(), mesh, visible_triangles(mesh));
+  }
+
+  // Where nothing is hit: none.
+  std::optional<Receiver> first(const glm::dvec3& eye, const glm::dvec3& direction, double near) const {
+    const Hit hit = cast(scene_.get(), eye, direction, near);
+    if (hit.triangle == kNothing) return std::nullopt;
+    return receiver_at(normals_, hit, eye);
+  }
+
+ private:
+  CornerNormals normals_;
+  Device device_;
+  Scene scene_;
+};
+
+ReceiverImage empty_image(int width, int height) {
+  const std::size_t pixel_count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  ReceiverImage image;
+  image.width = width;
+  image.height = height;
+  image.depth.assign(pixel_count, std::numeric_limits<float>::infinity());
+  image.receivers.assign(pixel_count, Receiver{.position = glm::vec3(std::numeric_limits<float>::quiet_NaN())});
+  return image;
+}
+
+// Fills an empty image. `near_of(pixel)` is where its ray begins, along the view; none: it is not cast.
+template <class NearOf>
+void trace(const Tracer& tracer, const View& view, ReceiverImage& image, const NearOf& near_of) {
+  tbb::parallel_for(0, image.height, [&](int row) {
+    for (int column = 0; column < image.width; ++column) {
+      const std::size_t pixel =
+          static_cast<std::size_t>(row) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(column);
+      const std::optional<double> near = near_of(pixel);
+      if (!near) continue;
+      const glm::dvec3 direction = pixel_direction(view, image.width, image.height, column, row);
+      const std::optional<Receiver> receiver = tracer.first(view.eye, direction, *near);
+      if (!receiver) continue;
+      image.receivers[pixel] = *receiver;
+      image.depth[pixel] = static_cast<float>(glm::dot(glm::dvec3(receiver->position) - view.eye, view.forward));
+    }
+  });
+  for (std::size_t pixel = 0; pixel < image.receivers.size(); ++pixel) {
+    image.receiver_count += image.sees(pixel) ? 1 : 0;
+  }
+}
+
 }  // namespace
 
 void validate(const Camera& camera) {
@@ -205,31 +260,23 @@ Camera frame(const Bounds& bounds, float aspect, const glm::vec3& up, float fov)
 ReceiverImage find_receivers(const Mesh& mesh, const Camera& camera, int width, int height, NormalSource normals) {
   validate(camera);
   check_size(width, height);
-  const View view = view_of(camera);
-  const CornerNormals corner_normals(mesh, normals);
-  const Device device(rtcNewDevice(nullptr));
-  if (!device) throw std::runtime_error("find_receivers: Embree cannot make a device");
-  const Scene scene = make_scene(device.get(), mesh, visible_triangles(mesh));
-
-  const std::size_t pixel_count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-  ReceiverImage image;
-  image.width = width;
-  image.height = height;
-  image.depth.assign(pixel_count, std::numeric_limits<float>::infinity());
-  image.receivers.assign(pixel_count, Receiver{.position = glm::vec3(std::numeric_limits<float>::quiet_NaN())});
-  tbb::parallel_for(0, height, [&](int row) {
-    for (int column = 0; column < width; ++column) {
-      const Hit hit = cast(scene.get(), view.eye, pixel_direction(view, width, height, column, row));
-      if (hit.triangle == kNothing) continue;
-      const std::size_t pixel =
-          static_cast<std::size_t>(row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(column);
-      Receiver& receiver = image.receivers[pixel];
-      receiver = receiver_at(corner_normals, hit, view.eye);
-      image.depth[pixel] = static_cast<float>(glm::dot(glm::dvec3(receiver.position) - view.eye, view.forward));
-    }
-  });
-  for (std::size_t pixel = 0; pixel < pixel_count; ++pixel) image.receiver_count += image.sees(pixel) ? 1 : 0;
+  ReceiverImage image = empty_image(width, height);
+  trace(Tracer(mesh, normals), view_of(camera), image, [](std::size_t) { return std::optional(0.0); });
   return image;
+}
+
+ReceiverImage find_behind(const Mesh& mesh, const Camera& camera, const ReceiverImage& image) {
+  // A tenth of a pixel's width in a picture of 1000: what is so near is the same surface.
+  constexpr double kBeyond = 1 + 1e-4;
+  const View view = view_of(camera);
+  const Tracer tracer(mesh, NormalSource::facet);
+  ReceiverImage behind = empty_image(image.width, image.height);
+  trace(tracer, view, behind, [&](std::size_t pixel) -> std::optional<double> {
+    if (!image.sees(pixel)) return std::nullopt;
+    // Directions go one unit along the view.
+    return kBeyond * static_cast<double>(image.depth[pixel]);
+  });
+  return behind;
 }
 
 std::vector<Receiver> seen_receivers(const ReceiverImage& image) {

@@ -51,6 +51,11 @@ struct ReceiverImage {
 ReceiverImage find_receivers(const Mesh& mesh, const Camera& camera, int width, int height,
                              NormalSource normals = NormalSource::facet);
 
+// What is behind what an image shows: of each of its pixels the next triangle of `mesh` that the ray meets, a ten
+// thousandth of the distance farther or more. The receivers face the eye and have the triangles' normals. Throws
+// std::runtime_error where Embree runs out of memory.
+ReceiverImage find_behind(const Mesh& mesh, const Camera& camera, const ReceiverImage& image);
+
 // The receivers of the pixels that see a triangle, in pixel order.
 std::vector<Receiver> seen_receivers(const ReceiverImage& image);
 

@@ -351,5 +351,46 @@ TEST_F(PassState, IsLeftChangedWhereNobodyWantsItKept) {
   EXPECT_EQ(careless.read_masks(), keeping.read_masks());
 }
 
+TEST_F(PassState, OfSplatsIsPutBackAndDoesNotMatter) {
+  const Mesh mesh = furnished_room();
+  const Camera camera = room_camera(kWidth, kHeight);
+  const GBufferPass g_buffer(mesh, camera, kWidth, kHeight);
+  const GBuffer textures = g_buffer.by_depth(), behind = g_buffer.by_positions();
+  const Texture occlusion = make_image(GL_R32F, kWidth, kHeight);
+  const std::vector<glm::vec4> spheres{{0.9f, 0.7f, -0.8f, 0.7f}, {-2, 1, -1.5f, 0.4f}};
+  const SplatOptions options{.near_radius = 0.3f};
+  SplatPass usual;
+  usual.set_spheres(spheres);
+  usual.draw(textures, camera, options, {occlusion.name()}, &behind);
+  const std::vector<glm::vec4> expected = read_image(occlusion.name(), kWidth, kHeight);
+
+  const auto read = [&] {
+    glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
+    for (const PixelStore& parameter : kKeptPixelStore) glPixelStorei(parameter.name, parameter.tight);
+    return read_image(occlusion.name(), kWidth, kHeight);
+  };
+  {
+    const OddState odd;
+    const Snapshot before = take_snapshot();
+    SplatPass pass({.count_fragments = true});
+    pass.set_spheres(spheres);
+    EXPECT_THAT(changes_since(before), IsEmpty()) << "after set_spheres";
+    pass.draw(textures, camera, options, {occlusion.name()}, &behind);
+    EXPECT_THAT(changes_since(before), IsEmpty()) << "after draw";
+    EXPECT_GT(pass.read_fragment_count(), 0u);
+    EXPECT_THAT(changes_since(before), IsEmpty()) << "after reading";
+    EXPECT_THROW(pass.draw(textures, {camera.view, glm::mat4(0)}, options, {occlusion.name()}), std::invalid_argument);
+    EXPECT_THAT(changes_since(before), IsEmpty()) << "after an exception";
+    EXPECT_EQ(read(), expected);
+  }
+  const OddState odd;
+  const Snapshot before = take_snapshot();
+  SplatPass careless({.keep_state = false});
+  careless.set_spheres(spheres);
+  careless.draw(textures, camera, options, {occlusion.name()}, &behind);
+  EXPECT_THAT(changes_since(before), Not(IsEmpty()));
+  EXPECT_EQ(read(), expected);
+}
+
 }  // namespace
 }  // namespace lkao::gl::tests

@@ -11,6 +11,7 @@
 #include "gpu/mesh/shapes_block.h"
 #include "gpu/on_software.h"
 #include "gpu/screen/filter_block.h"
+#include "gpu/screen/splat/splat_block.h"
 #include "gpu/volumes/volume_pass_block.h"
 
 namespace lkao::gl::tests {
@@ -71,6 +72,11 @@ TEST_F(UniformBlocks, AreLaidOutAlike) {
   const ProgramObject volumes = make_program({"volumes/resolve.comp"});
   EXPECT_EQ(size_of(volumes, "VolumePassBlock"), static_cast<GLint>(sizeof(VolumePassBlock)));
   LKAO_EXPECT_OFFSET(volumes, VolumePassBlock, compensation);
+
+  const ProgramObject splats = make_program({"screen/splat/near.comp"});
+  EXPECT_EQ(size_of(splats, "SplatBlock"), static_cast<GLint>(sizeof(SplatBlock)));
+  LKAO_EXPECT_OFFSET(splats, SplatBlock, near_radius);
+  LKAO_EXPECT_OFFSET(splats, SplatBlock, scale);
 
   const ProgramObject filter = make_program({"screen/bilateral.comp"});
   EXPECT_EQ(size_of(filter, "FilterBlock"), static_cast<GLint>(sizeof(FilterBlock)));

@@ -28,12 +28,14 @@ endfunction()
 
 foreach(name IN ITEMS frame/check.comp mesh/classify.comp mesh/radius.comp mesh/transform.comp masks/receivers.comp
                       masks/cast.comp masks/resolve.comp
-                      screen/bilateral.comp volumes/extend.comp volumes/resolve.comp)
+                      screen/bilateral.comp screen/splat/surfaces.comp screen/splat/near.comp
+                      screen/splat/resolve.comp screen/upsample.comp volumes/extend.comp volumes/resolve.comp)
   validate(NAMES ${name})
 endforeach()
 validate(NAMES frame/screen.vert masks/depth.frag)
 validate(NAMES frame/screen.vert masks/fill.frag)
 validate(NAMES frame/screen.vert volumes/receivers.frag)
+validate(NAMES screen/splat/far.vert screen/splat/far.frag)
 
 foreach(shape IN ITEMS "mesh/prism.vert" "mesh/billboard.vert" "mesh/point.vert;mesh/prism.geom"
                        "mesh/point.vert;mesh/billboard.geom")

@@ -16,6 +16,7 @@ enum class Side { left, right };
 constexpr Word<Side> kSideWords[] = {{"left", Side::left}, {"right", Side::right}};
 
 const Setting kSide = word_setting("side", "Which side", kSideWords, Side::right);
+const Setting kCount{.name = "count", .help = "How many", .values = Range{1, 1e6, true}, .default_text = "3"};
 const Setting kShare{.name = "share", .help = "How much", .values = Range{0, 1}, .default_text = "0.5"};
 
 TEST(Settings, HaveDefaults) {
@@ -41,6 +42,8 @@ TEST(Settings, TakeOnlyTheirValues) {
   for (const char* text : {"", "-0.1", "1.1", "nan", "half", "1 "}) {
     EXPECT_THROW(settings.set(kShare, text), std::invalid_argument) << text;
   }
+  for (const char* text : {"0", "2.5", "1e7"}) EXPECT_THROW(settings.set(kCount, text), std::invalid_argument) << text;
+  EXPECT_NO_THROW(kCount.check("1e3"));
   EXPECT_TRUE(settings.chosen().empty());
   EXPECT_EQ(kSide.values_text(), "left|right");
   EXPECT_EQ(kShare.values_text(), "0..1");

@@ -178,6 +178,30 @@ TEST(Receivers, BadTrianglesAreNotSeen) {
 
 TEST(Receivers, AnEmptyMeshIsNotSeen) { EXPECT_EQ(find_receivers(Mesh{}, kDown, 8, 8).receiver_count, 0u); }
 
+TEST(Receivers, BehindAreTheNextOnesOnTheRay) {
+  // Three squares above each other, the lowest twice; all under the left half, the top one alone under the right.
+  Mesh mesh;
+  const auto add_square = [&](double x, double y, double size) {
+    add_quad(mesh, {x, y, size}, {x + size, y, size}, {x + size, y, -size}, {x, y, -size});
+  };
+  add_square(-4, 1, 8);
+  add_square(-4, 0, 4);
+  add_square(-4, -1, 4);
+  add_square(-4, -1.00001, 4);
+  const Camera camera{{0, 5, 0}, {0, 0, 0}, {0, 0, -1}, 60};
+  const ReceiverImage first = find_receivers(mesh, camera, 8, 6), second = find_behind(mesh, camera, first);
+  const ReceiverImage third = find_behind(mesh, camera, second), fourth = find_behind(mesh, camera, third);
+  EXPECT_EQ(first.receiver_count, 48u);
+  EXPECT_EQ(second.receiver_count, 24u);
+  EXPECT_EQ(third.receiver_count, 24u);
+  EXPECT_EQ(fourth.receiver_count, 0u) << "the same surface once more";
+  EXPECT_NEAR(receiver_of(second, 1, 2).position.y, 0, 1e-6);
+  EXPECT_NEAR(receiver_of(third, 1, 2).position.y, -1, 1e-5);
+  EXPECT_NEAR(second.depth[2 * 8 + 1], 5, 1e-5);
+  EXPECT_FALSE(second.sees(2 * 8 + 6));
+  EXPECT_EQ(receiver_of(second, 1, 2).normal, glm::vec3(0, 1, 0));
+}
+
 TEST(Frame, AllCornersOfTheBoxAreInside) {
   const Mesh box = [] {
     // Eight small triangles at the corners of a box.

@@ -1,0 +1,51 @@
+#include "raster/splatter.h"
+
+#include <epoxy/gl.h>
+
+#include <chrono>
+#include <stdexcept>
+
+#include "raster/camera.h"
+
+namespace lkao::raster {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+void require_view(bool has_view) {
+  if (!has_view) throw std::runtime_error("no view: call set_view() first");
+}
+
+}  // namespace
+
+Splatter::Splatter(gl::Device device) : context_(std::make_unique<gl::HeadlessContext>(device)) {
+  context_->make_current();
+  pass_.emplace(gl::SplatPassSetup{.count_fragments = true});
+}
+
+void Splatter::set_view(const scene::Camera& camera, const scene::ReceiverImage& image,
+                        const std::optional<scene::ReceiverImage>& behind) {
+  textures_.reset();  // the old ones first: there may not be room for both
+  behind_.reset();
+  textures_.emplace(image);
+  if (behind) behind_.emplace(*behind);
+  camera_ = gl_camera(camera, image.width, image.height);
+}
+
+double Splatter::draw(const gl::SplatOptions& options) {
+  require_view(textures_.has_value());
+  const gl::GBuffer g_buffer = textures_->g_buffer(), second = behind_ ? behind_->g_buffer() : gl::GBuffer{};
+  const gl::OcclusionTarget target = textures_->targets(false).occlusion;
+  glFinish();
+  const Clock::time_point start = Clock::now();
+  pass_->draw(g_buffer, camera_, options, target, behind_ ? &second : nullptr);
+  glFinish();
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+std::vector<float> Splatter::read_occlusion() const {
+  require_view(textures_.has_value());
+  return textures_->read_occlusion();
+}
+
+}  // namespace lkao::raster
