@@ -1,7 +1,7 @@
 #version 450 core
 // One direction of the cross-bilateral filter.
 #include "gpu/frame/target.glsl"
-#include "gpu/screen/surfaces.glsl"
+#include "gpu/screen/filter.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 

@@ -3,7 +3,7 @@
 //
 // Based on: J. Kopf, M. Cohen, D. Lischinski, M. Uyttendaele, "Joint Bilateral Upsampling", SIGGRAPH 2007, Sec. 3.
 #include "gpu/frame/target.glsl"
-#include "gpu/screen/surfaces.glsl"
+#include "gpu/screen/filter.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 

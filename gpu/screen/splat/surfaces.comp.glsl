@@ -7,7 +7,7 @@
 #define LKAO_DOUBLE 0
 #include "gpu/screen/splat/splat_block.h"
 #include "gpu/screen/splat/units.h"
-#include "gpu/screen/splat/surface.glsl"
+#include "gpu/screen/surface.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(binding = 0, rgba32f) writeonly uniform image2DArray receivers;

@@ -1,25 +1,10 @@
 // What the cross-bilateral filter knows of a pixel, and how it weighs another (include/lkao/gl/bilateral_filter.h).
 #define LKAO_DOUBLE 0
-#include "gpu/frame/g_buffer.glsl"
 #include "gpu/screen/filter_block.h"
+#include "gpu/screen/surface.glsl"
 #include "gpu/screen/units.h"
 
 layout(binding = LKAO_UNIT_UNFILTERED) uniform sampler2D unfiltered;
-
-struct Surface {
-  vec3 position, normal;  // the normal of unit length
-};
-
-// False where there is none.
-bool find_surface(ivec2 pixel, out Surface surface) {
-  if (!find_position(pixel, surface.position) || !is_position_in_range(surface.position)) return false;
-  vec3 normal = read_normal(pixel);
-  float largest = max(abs(normal.x), max(abs(normal.y), abs(normal.z)));
-  if (largest == 0.0) return false;
-  // Normals may be of any length: first of one whose square is a float.
-  surface.normal = normalize(normal / largest);
-  return true;
-}
 
 float pixel_width(Surface surface) { return view.pixel_size * (is_perspective() ? -surface.position.z : 1.0); }
 
