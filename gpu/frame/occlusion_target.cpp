@@ -14,8 +14,9 @@ namespace lkao::gl {
 namespace {
 
 // Those of an image unit that shaders see as floats of 0 and more.
-constexpr GLenum kFormats[] = {GL_R8,    GL_R16,   GL_R16F,   GL_R32F,    GL_RG8,     GL_RG16,     GL_RG16F,
-                               GL_RG32F, GL_RGBA8, GL_RGBA16, GL_RGBA16F, GL_RGBA32F, GL_RGB10_A2, GL_R11F_G11F_B10F};
+constexpr GLenum kImageFormats[] = {GL_R8,      GL_R16,     GL_R16F,     GL_R32F,          GL_RG8,
+                                    GL_RG16,    GL_RG16F,   GL_RG32F,    GL_RGBA8,         GL_RGBA16,
+                                    GL_RGBA16F, GL_RGBA32F, GL_RGB10_A2, GL_R11F_G11F_B10F};
 
 constexpr const char* kChannelNames[] = {"red", "green", "blue", "alpha"};
 
@@ -36,7 +37,7 @@ void require_channel(const OcclusionTarget& target) {
 void validate(const OcclusionTarget& target, int width, int height) {
   require_size("occlusion", target.texture, {width, height, target.part});
   const GLenum format = format_of(target.texture);
-  if (std::find(std::begin(kFormats), std::end(kFormats), format) == std::end(kFormats)) {
+  if (std::find(std::begin(kImageFormats), std::end(kImageFormats), format) == std::end(kImageFormats)) {
     throw std::invalid_argument(
         fmt::format("occlusion cannot be written to the format {}; GL_R8, GL_RGBA8 and GL_R16F are among those that it "
                     "can be written to",

@@ -74,6 +74,15 @@ function(lkao_compile_together TARGET)
   endif()
 endfunction()
 
+# lkao_precompile(TARGET header ...)
+#   Where several sources cannot be compiled as one: headers that most of them include, read once. With
+#   LKAO_UNITY_BUILD only, as it hides what a source forgot to include.
+function(lkao_precompile TARGET)
+  if(LKAO_UNITY_BUILD)
+    target_precompile_headers(${TARGET} PRIVATE ${ARGN})
+  endif()
+endfunction()
+
 # lkao_module(NAME SOURCES a.cpp ... LINKS x ...)
 #   A static library lkao_NAME beside the core, for the program and the tests; not installed. LINKS are public.
 function(lkao_module NAME)

@@ -1,6 +1,9 @@
 #!/usr/bin/env python3
 """tidy.py FOLDER PLACE ...: clang-tidy over the sources under each place; FOLDER was configured for Clang.
 
+Sources that the build compiles together (lkao_compile_together) are looked at as one, since most of the time goes into
+what they include. Their texts are put into one file: the analyzer passes by what a file includes.
+
 A source is not looked at again until it changes, or a header that it includes, how it is compiled, .clang-tidy, or
 clang-tidy itself. The headers are those that ninja knows: a source that was not compiled yet is always looked at.
 """
@@ -32,33 +35,80 @@ def object_of(entry):
     return words[words.index("-o") + 1]
 
 
+def sources_of(entry):
+    """What an entry of compile_commands.json compiles: one source, or those that a file of CMake's includes."""
+    path = entry["file"]
+    if "/Unity/" not in path:
+        return [path]
+    with open(path, encoding="utf-8") as file:
+        return re.findall(r'^#include "(.+)"$', file.read(), re.MULTILINE)
+
+
+class Together:
+    """Some sources as one file, and whence its lines come."""
+
+    def __init__(self, folder, sources):
+        self.path = os.path.join(os.path.abspath(folder), "tidy", key_of(sources, []) + ".cpp")
+        self.starts = []  # first line, source
+        lines = []
+        for source in sources:
+            self.starts.append((len(lines), source))
+            with open(source, encoding="utf-8") as file:
+                lines += file.read().splitlines()
+        os.makedirs(os.path.dirname(self.path), exist_ok=True)
+        with open(self.path, "w", encoding="utf-8") as file:
+            file.write("\n".join(lines) + "\n")
+
+    def name_sources(self, text):
+        def place(match):
+            line = int(match[1])
+            start, source = [pair for pair in self.starts if pair[0] < line][-1]
+            return f"{source}:{line - start}:"
+
+        return re.sub(re.escape(self.path) + r":(\d+):", place, text)
+
+
+def flags_of(entry):
+    words = shlex.split(entry["command"])
+    words = words[1 + ("ccache" in words[0]) :]
+    for option, count in (("-o", 2), ("-c", 2)):
+        if option in words:
+            del words[words.index(option) : words.index(option) + count]
+    return [word for word in words if word != entry["file"]]
+
+
 def main():
     folder, places = sys.argv[1], sys.argv[2:]
-    sources = [path for place in places for path in files_in(os.path.abspath(place)) if path.endswith(".cpp")]
+    wanted = {path for place in places for path in files_in(os.path.abspath(place)) if path.endswith(".cpp")}
     with open(os.path.join(folder, "compile_commands.json"), encoding="utf-8") as file:
-        entries = {entry["file"]: entry for entry in json.load(file)}
+        entries = json.load(file)
     version = subprocess.check_output(["clang-tidy", "--version"], text=True)
     headers = known_headers(folder)
     stamps = Stamps(os.path.join(folder, "tidy.json"))
 
-    def look_at(source):
-        entry = entries.get(source)
-        made_from = entry and headers.get(object_of(entry))
-        key = key_of([version, entry["command"]], [".clang-tidy", source] + made_from) if made_from else None
-        if key and stamps.is_good(source, key):
-            return "unchanged"
-        command = ["clang-tidy", "--quiet", "-p", folder, source]
-        ran = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
+    def look_at(entry):
+        sources = [path for path in sources_of(entry) if path in wanted]
+        made_from = headers.get(object_of(entry))
+        key = key_of([version, entry["command"]], [".clang-tidy"] + sources + made_from) if made_from else None
+        if key and stamps.is_good(entry["file"], key):
+            return "unchanged", len(sources)
+        together = Together(folder, sources)
+        command = ["clang-tidy", "--quiet", "--config-file=" + os.path.abspath(".clang-tidy"), together.path, "--"]
+        command += flags_of(entry)
+        ran = subprocess.run(
+            command, cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False
+        )
         if ran.returncode:
-            print(ran.stdout, end="", flush=True)
-        stamps.set(source, None if ran.returncode else key)
-        return "wrong" if ran.returncode else "clean"
+            print(together.name_sources(ran.stdout), end="", flush=True)
+        stamps.set(entry["file"], None if ran.returncode else key)
+        return "wrong" if ran.returncode else "clean", len(sources)
 
+    chosen = [entry for entry in entries if wanted & set(sources_of(entry))]
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-        verdicts = list(pool.map(look_at, sources))
-    counts = ", ".join(f"{verdicts.count(verdict)} {verdict}" for verdict in ("clean", "wrong", "unchanged"))
-    print(f"clang-tidy: {len(sources)} sources: {counts}")
-    sys.exit("wrong" in verdicts)
+        verdicts = list(pool.map(look_at, chosen))
+    counts = {word: sum(n for verdict, n in verdicts if verdict == word) for word in ("clean", "wrong", "unchanged")}
+    print(f"clang-tidy: {sum(counts.values())} sources: {', '.join(f'{n} {word}' for word, n in counts.items())}")
+    sys.exit(counts["wrong"] > 0)
 
 
 if __name__ == "__main__":

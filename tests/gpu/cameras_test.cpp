@@ -14,8 +14,8 @@
 namespace lkao::gl::tests {
 namespace {
 
-constexpr int kWidth = 96;
-constexpr int kHeight = 72;
+constexpr int kWidth = 64;
+constexpr int kHeight = 48;
 constexpr float kAspect = static_cast<float>(kWidth) / kHeight;
 
 struct NamedCamera {

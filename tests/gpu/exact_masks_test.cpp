@@ -8,12 +8,13 @@
 
 #include "gpu/in_furnished_room.h"
 #include "gpu/rounding.h"
+#include "support/sanitized.h"
 
 namespace lkao::gl::tests {
 namespace {
 
-constexpr int kWidth = 192;
-constexpr int kHeight = 144;
+constexpr int kWidth = lkao::tests::kIsSanitized ? 96 : 192;
+constexpr int kHeight = lkao::tests::kIsSanitized ? 72 : 144;
 constexpr double kLargestShare = 1e-4;
 
 class ExactMasks : public InFurnishedRoom<kWidth, kHeight> {

@@ -10,11 +10,12 @@
 
 #include "gpu/in_furnished_room.h"
 #include "lkao/lkao.h"
+#include "support/sanitized.h"
 
 namespace lkao::gl::tests {
 namespace {
 
-constexpr int kWidth = 96, kHeight = 72;
+constexpr int kWidth = lkao::tests::kIsSanitized ? 48 : 96, kHeight = lkao::tests::kIsSanitized ? 36 : 72;
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 const std::vector<glm::vec2> kRanges = {{0, 0.3f}, {0.3f, 0.9f}, {0.9f, 1.0f}, {1.0f, kInfinity}};
 
