@@ -6,9 +6,9 @@
 // Differs from the paper: angles are atan(|p x q|, p . q) instead of the arc cosine, which has no digits where a
 // polygon is small or far away; and the polygon may be cut by the horizon of the geometric normal too.
 
-// A triangle that two planes have cut.
+// A triangle that two planes have cut: of 5 corners at most, or 6 where rounding takes the second plane in and out.
 struct Polygon {
-  vec3 corners[5];
+  vec3 corners[6];
   int count;
 };
 
