@@ -183,6 +183,10 @@ TEST_F(Splats, NameWhatIsWrong) {
   // What a half needs is no concern where it is off.
   SplatOptions far = {.near_half = false};
   EXPECT_EQ(message(far, target.name()), "no exception");
+  SplatOptions near = kBoth;
+  near.far_half = false;
+  near.epsilon = near.far_radius = 0;
+  EXPECT_EQ(message(near, target.name()), "no exception");
   EXPECT_THROW((void)pass_->read_fragment_count(), std::runtime_error) << "nothing is counted";
   EXPECT_THROW((void)SplatPass({.count_fragments = true}).read_fragment_count(), std::runtime_error) << "not drawn";
 }

@@ -85,9 +85,9 @@ float inverse_distance(vec2 off) {
   return sum;
 }
 
-// Places in a disc that holds all of the pixels that count. A pixel stands for as many as the share of samples that it
-// is given is smaller than one: 1 / area, or the integral over it of 1 / (2 pi wide distance). The sequence (the powers
-// of 1 / 1.3247..., the real root of x^3 = x + 1) leaves no large gaps.
+// Places in a disc that holds all of the pixels that count. Each is weighed by 1 / its chance to be hit by a sample:
+// 1 / area, or the integral over the pixel of 1 / (2 pi wide distance). The sequence (the powers of 1 / 1.3247..., the
+// real root of x^3 = x + 1) leaves no large gaps.
 float sum_over_subset(Receiver receiver, float radius, int count) {
   const uvec2 kStep = uvec2(3242174889u, 2447445414u);
   bool is_falling = pass.has_falling_density != 0;
@@ -124,7 +124,7 @@ void main() {
   vec4 position = texelFetch(receivers, ivec3(pixel, LKAO_RECEIVER_POSITION), 0);
   vec4 own = texelFetch(pixel_spheres, ivec3(pixel, 0), 0);
   float occlusion = 0.0;
-  if (position.w > 0.0 && own.w > 0.0) {
+  if (pass.layer_count > 0 && position.w > 0.0 && own.w > 0.0) {
     vec3 normal = texelFetch(receivers, ivec3(pixel, LKAO_RECEIVER_NORMAL), 0).xyz;
     occlusion = near_occlusion(Receiver(pixel, position.xyz, normal, position.xyz - own.xyz));
   }

@@ -74,7 +74,7 @@ SplatBlock make_block(const SplatOptions& options, int layer_count) {
   block.seed = options.seed;
   block.is_exact = options.formula == SphereFormula::exact;
   block.scale = options.formula == SphereFormula::printed ? std::numbers::pi_v<float> : 1.0f;
-  block.reach = sphere_reach(options.epsilon, options.formula);
+  block.reach = options.far_half ? sphere_reach(options.epsilon, options.formula) : 0.0f;
   block.far_begin = has_both ? options.near_radius : 0.0f;
   // Beyond all that is usable; squares and sums of it are no concern of shaders.
   block.far_end = std::min(options.far_radius, static_cast<float>(4 * kLargest));
@@ -197,6 +197,7 @@ void SplatPass::draw(const GBuffer& g_buffer, const Camera& camera, const SplatO
   const SplatBlock block = make_block(options, layer_count);
   const StateKeeper keeper(kSplatUse, state.setup.keep_state);
   state.images.make_room(g_buffer.picture_width(), g_buffer.picture_height(), layer_count);
+  glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);  // what read the last frame's images comes first
   if (behind != nullptr) state.find_surfaces(*behind, make_view_block(*behind, camera), 1, block);
   state.find_surfaces(g_buffer, view, 0, block);
   state.bind_images();
