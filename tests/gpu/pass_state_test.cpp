@@ -292,7 +292,9 @@ TEST_F(PassState, OfVolumesIsPutBackAndDoesNotMatter) {
     VolumePass pass(setups[i]);
     Occluders occluders(mesh.positions, mesh.triangles);
     occluders.set_opacities(std::vector<float>(mesh.triangles.size(), 0.5f));
-    if (setups[i].keep_state) EXPECT_THAT(changes_since(before), IsEmpty()) << "after the driver's check";
+    if (setups[i].keep_state) {
+      EXPECT_THAT(changes_since(before), IsEmpty()) << "after the driver's check";
+    }
     pass.draw(occluders, g_buffer.by_depth(), camera, options, {occlusion.name()});
     if (setups[i].keep_state) {
       EXPECT_THAT(changes_since(before), IsEmpty()) << "after draw";
