@@ -107,6 +107,28 @@ TEST_F(Splats, WriteEverySize) {
   }
 }
 
+TEST_F(Splats, TakeEveryNthPixelAndPartsOfTextures) {
+  // What spheres of the scene block of a receiver is the same however many pixels there are.
+  const SplatOptions far_half{.near_half = false};
+  const std::vector<float> whole = view_->draw(*pass_, far_half, nullptr, GL_R32F, -1);
+  for (const int step : {1, 2, 5}) {
+    GBuffer textures = view_->g_buffer();
+    textures.step = step;
+    const int width = textures.picture_width(), height = textures.picture_height();
+    const Texture target = make_image(GL_RGBA16F, width + 5, height + 9);
+    pass_->draw(textures, camera_, far_half, {target.name(), -1, Quantity::visibility, Channel::green, Part{3, 7}});
+    const std::vector<glm::vec4> texels = read_image(target.name(), width + 5, height + 9);
+    for (int y = 0; y < height; ++y) {
+      for (int x = 0; x < width; ++x) {
+        const glm::vec4& texel = texels[static_cast<std::size_t>((y + 7) * (width + 5) + x + 3)];
+        const float expected = whole[static_cast<std::size_t>(step * y * kWidth + step * x)];
+        EXPECT_NEAR(texel.y, expected < 0 ? -1 : 1 - expected, 1e-3f) << x << ", " << y << ", step " << step;
+        EXPECT_EQ(texel.x, 0);
+      }
+    }
+  }
+}
+
 TEST_F(Splats, WriteEveryFormat) {
   const std::vector<float> exact = view_->draw(*pass_, kBoth);
   for (const int format : {GL_R8, GL_R16, GL_R16F}) {
