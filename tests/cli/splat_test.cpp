@@ -80,7 +80,7 @@ TEST_F(SplatRender, EverySettingChangesThePicture) {
                                 {"--epsilon", "0.2"},
                                 {"--formula", "printed"},
                                 {"--formula", "exact"},
-                                {"--inside", "nothing"},
+                                {"--inside", "everything"},
                                 {"--seed", "5"},
                                 {"--radius", "inf"}}) {
     SCOPED_TRACE(testing::PrintToString(more));
