@@ -24,6 +24,8 @@ Command add_build_command(CLI::App& program);
 Command add_raster_command(CLI::App& program);
 // Ambient occlusion volumes against rays; where OpenGL is built.
 Command add_volumes_command(CLI::App& program);
+// Spheres of pixels and of the scene against rays; where OpenGL is built.
+Command add_splats_command(CLI::App& program);
 // Levels of detail, by every method that takes them.
 Command add_lod_command(CLI::App& program);
 // Baked values of vertices against occlusion all over the faces.

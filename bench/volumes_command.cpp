@@ -22,7 +22,7 @@ namespace {
 
 struct VolumesVariant {
   std::string name;
-  VolumeSettings settings;
+  ChangedSettings settings;
 };
 
 std::vector<VolumesVariant> deltas() {
@@ -128,7 +128,7 @@ class VolumeStudies {
  private:
   void study_scene(const StudyScene& scene) {
     for (const float radius : options_.radii.empty() ? scene.radii : lengths_of(options_.radii, scene)) {
-      const std::vector<float> rays = cast_linear_rays(scene, radius, options_.turn_count);
+      const std::vector<float> rays = cast_rays(scene, radius, Falloff::linear(), options_.turn_count);
       for (const std::string& study : options_.studies) {
         for (const VolumesVariant& variant : parse_word(kVolumeStudies, study)()) {
           report(scene, radius, study, variant.name, draw(scene, radius, variant.settings, rays));
@@ -138,9 +138,9 @@ class VolumeStudies {
     }
   }
 
-  VolumesResult draw(const StudyScene& scene, float radius, const VolumeSettings& settings,
+  VolumesResult draw(const StudyScene& scene, float radius, const ChangedSettings& settings,
                      const std::vector<float>& rays) const {
-    return draw_volumes(scene, radius, settings_of(settings, options_.settings), rays);
+    return draw_volumes(scene, radius, settings_of("volumes", settings, options_.settings), rays);
   }
 
   void report(const StudyScene& scene, float radius, const std::string& study, const std::string& variant,

@@ -1,17 +1,10 @@
 #include "bench/volumes_study.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
-#include <stdexcept>
 
-#include <fmt/format.h>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
-
-#include "method/answers.h"
-#include "method/list.h"
 
 namespace lkao::bench {
 namespace {
@@ -38,51 +31,16 @@ class Mean {
 
 }  // namespace
 
-std::vector<float> cast_linear_rays(const StudyScene& scene, float radius, int turn_count) {
-  const OccluderBvh bvh({scene.mesh.positions, scene.mesh.triangles});
-  const SamplePattern pattern = SamplePattern::standard(kMaxRayCount).with_falloff(Falloff::linear());
-  std::vector<float> occlusion(scene.view.receivers.size());
-  std::vector<double> sum(occlusion.size());
-  for (int turn = 0; turn < turn_count; ++turn) {
-    const RayOptions options{.radius = radius, .seed = static_cast<std::uint64_t>(turn)};
-    AmbientOcclusion(bvh, pattern, options).query(scene.view.receivers, {.occlusion = occlusion});
-    for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += static_cast<double>(occlusion[i]);
-  }
-  std::transform(sum.begin(), sum.end(), occlusion.begin(),
-                 [turn_count](double value) { return static_cast<float>(value / turn_count); });
-  return occlusion;
-}
-
-method::Settings settings_of(const VolumeSettings& changed, const method::Settings& others) {
-  method::Settings settings = others;
-  const std::vector<const method::Setting*>& known = method::method_named("volumes").settings;
-  for (const auto& [name, value] : changed) {
-    const auto found = std::find_if(known.begin(), known.end(),
-                                    [&name = name](const method::Setting* setting) { return setting->name == name; });
-    if (found == known.end()) throw std::invalid_argument(fmt::format("volumes have no setting '{}'", name));
-    settings.set(**found, value);
-  }
-  return settings;
-}
-
 VolumesResult draw_volumes(const StudyScene& scene, float radius, const method::Settings& settings,
                            const std::vector<float>& rays) {
-  const method::Question question{.radius = radius, .ray_count = 1, .falloff = Falloff::linear()};
-  const std::unique_ptr<method::Method> volumes = method::method_named("volumes").open(settings);
-  method::Occluders occluders(scene.mesh);
-  volumes->prepare({occluders, question, method::View{scene.camera, scene.view}});
-  method::Answers answers = method::ask(*volumes, 1, scene.view.receivers, 1);
-  const nlohmann::ordered_json counts = volumes->remarks().keys.at("volumes");
+  VolumesResult result{draw_method("volumes", scene, radius, Falloff::linear(), settings, rays)};
   const auto receiver_count = static_cast<double>(scene.receivers.size());
+  const nlohmann::ordered_json& counts = result.keys.at("volumes");
   const auto a_receiver = [&](const char* key) { return counts.at(key).get<double>() / receiver_count; };
-  VolumesResult result;
-  result.milliseconds = 1000 * answers.seconds;
   result.fill = a_receiver("fragments");
   result.inside = a_receiver("fragments_inside");
   result.blended = a_receiver("fragments_blended");
-  result.off = method::deviation(answers.occlusion, rays, std::nullopt, 0);
-  result.log_error = log_error(answers.occlusion, rays, scene.view.width, scene.view.height);
-  result.occlusion = std::move(answers.occlusion);
+  result.log_error = log_error(result.occlusion, rays, scene.view.width, scene.view.height);
   return result;
 }
 

@@ -2,33 +2,16 @@
 // that are counted twice.
 #pragma once
 
-#include <span>
-#include <string>
-#include <utility>
 #include <vector>
 
 #include <glm/vec3.hpp>
 
-#include "bench/study_scenes.h"
-#include "method/deviation.h"
-#include "method/method.h"
+#include "bench/drawn_method.h"
 
 namespace lkao::bench {
 
-// What every pixel of the view should be: `turn_count` times 1024 rays of linear falloff, by the query. NaN where there
-// is no receiver.
-std::vector<float> cast_linear_rays(const StudyScene& scene, float radius, int turn_count);
-
-// Settings of the method "volumes" that are not at their defaults: names and values.
-using VolumeSettings = std::vector<std::pair<std::string, std::string>>;
-// Throws std::invalid_argument where there is no such setting or value.
-method::Settings settings_of(const VolumeSettings& changed, const method::Settings& others);
-
-struct VolumesResult {
-  std::vector<float> occlusion;
-  double milliseconds = 0;
+struct VolumesResult : DrawnResult {
   double fill = 0, inside = 0, blended = 0;  // fragments a receiver (gl::VolumeFragments)
-  method::Deviation off;                     // from the rays
   double log_error = 0;                      // Eq. 14
 };
 VolumesResult draw_volumes(const StudyScene& scene, float radius, const method::Settings& settings,

@@ -1,0 +1,56 @@
+#include "bench/drawn_method.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "method/answers.h"
+#include "method/list.h"
+
+namespace lkao::bench {
+
+std::vector<float> cast_rays(const StudyScene& scene, float radius, const Falloff& falloff, int turn_count) {
+  const OccluderBvh bvh({scene.mesh.positions, scene.mesh.triangles});
+  const SamplePattern pattern = SamplePattern::standard(kMaxRayCount).with_falloff(falloff);
+  std::vector<float> occlusion(scene.view.receivers.size());
+  std::vector<double> sum(occlusion.size());
+  for (int turn = 0; turn < turn_count; ++turn) {
+    const RayOptions options{.radius = radius, .seed = static_cast<std::uint64_t>(turn)};
+    AmbientOcclusion(bvh, pattern, options).query(scene.view.receivers, {.occlusion = occlusion});
+    for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += static_cast<double>(occlusion[i]);
+  }
+  std::transform(sum.begin(), sum.end(), occlusion.begin(),
+                 [turn_count](double value) { return static_cast<float>(value / turn_count); });
+  return occlusion;
+}
+
+method::Settings settings_of(std::string_view method, const ChangedSettings& changed, const method::Settings& others) {
+  method::Settings settings = others;
+  const std::vector<const method::Setting*>& known = method::method_named(method).settings;
+  for (const auto& [name, value] : changed) {
+    const auto found = std::find_if(known.begin(), known.end(),
+                                    [&name = name](const method::Setting* setting) { return setting->name == name; });
+    if (found == known.end()) throw std::invalid_argument(fmt::format("{} has no setting '{}'", method, name));
+    settings.set(**found, value);
+  }
+  return settings;
+}
+
+DrawnResult draw_method(std::string_view method, const StudyScene& scene, float radius, const Falloff& falloff,
+                        const method::Settings& settings, const std::vector<float>& rays) {
+  const method::Question question{.radius = radius, .ray_count = 1, .falloff = falloff};
+  const std::unique_ptr<method::Method> opened = method::method_named(method).open(settings);
+  method::Occluders occluders(scene.mesh);
+  opened->prepare({occluders, question, method::View{scene.camera, scene.view}});
+  method::Answers answers = method::ask(*opened, 1, scene.view.receivers, 1);
+  DrawnResult result;
+  result.milliseconds = 1000 * answers.seconds;
+  result.keys = opened->remarks().keys;
+  result.off = method::deviation(answers.occlusion, rays, std::nullopt, 0);
+  result.occlusion = std::move(answers.occlusion);
+  return result;
+}
+
+}  // namespace lkao::bench

@@ -1,0 +1,35 @@
+// A method that draws the pixels of a view, against many rays.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "bench/study_scenes.h"
+#include "lkao/sample_pattern.h"
+#include "method/deviation.h"
+#include "method/method.h"
+
+namespace lkao::bench {
+
+// What every pixel of the view should be: `turn_count` times 1024 rays, by the query. NaN where there is no receiver.
+std::vector<float> cast_rays(const StudyScene& scene, float radius, const Falloff& falloff, int turn_count);
+
+// Settings of a method that are not at their defaults: names and values.
+using ChangedSettings = std::vector<std::pair<std::string, std::string>>;
+// Throws std::invalid_argument where there is no such setting or value.
+method::Settings settings_of(std::string_view method, const ChangedSettings& changed, const method::Settings& others);
+
+struct DrawnResult {
+  std::vector<float> occlusion;
+  double milliseconds = 0;
+  nlohmann::ordered_json keys;  // method::Remarks
+  method::Deviation off;        // from the rays
+};
+DrawnResult draw_method(std::string_view method, const StudyScene& scene, float radius, const Falloff& falloff,
+                        const method::Settings& settings, const std::vector<float>& rays);
+
+}  // namespace lkao::bench
