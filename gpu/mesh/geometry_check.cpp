@@ -31,9 +31,9 @@ std::vector<std::uint32_t> count_prism(GeometryBackEnd back_end) {
   shapes_block.is_two_sided = 1;
   const ViewBlock view_block = make_view_block(camera, pixels);
   set_camera(camera, pixels, view_block, radius, shapes_block);
-  const Buffer counts = make_buffer(kPixelCount * 4, nullptr, 0);
-  const GLuint zero = 0;
-  glClearNamedBufferData(counts.name(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &zero);
+  // Not cleared by OpenGL: that would read the zero as the host's pixel store parameters say.
+  const std::vector<std::uint32_t> zeros(kPixelCount);
+  const Buffer counts = make_buffer(kPixelCount * 4, zeros.data(), 0);
 
   const glm::vec3 positions[] = {{-9, -8, -0.4f}, {8, -9, -0.6f}, {1, 9, -0.5f}};
   const glm::uvec3 triangle(0, 1, 2);
