@@ -6,28 +6,19 @@
 // Based on: S. Laine, T. Karras, "Two Methods for Fast Ray-Cast Ambient Occlusion", EGSR 2010, Sec. 3.1, 4.2.
 #define VARYING in
 #include "gpu/mesh/varyings.glsl"
+#include "gpu/gl/fragment_counters.glsl"
 #include "gpu/masks/culls.glsl"
 #include "gpu/masks/plane_cells.glsl"
 #include "gpu/masks/planes.glsl"
 #include "gpu/masks/rays.glsl"
 #include "gpu/masks/table.glsl"
 
+#define COUNT_DRAWN COUNT_0
+#define COUNT_SURVIVOR COUNT_1
+#define COUNT_MASK COUNT_2
+
 // Atomics must not run for fragments that fail the depth test.
 layout(early_fragment_tests) in;
-
-#if LKAO_COUNT
-// Of each number the low and the high 32 bits: a frame may well have more than 2^32 fragments.
-layout(binding = 0, offset = 0) uniform atomic_uint drawn_count;
-layout(binding = 0, offset = 4) uniform atomic_uint drawn_carry;
-layout(binding = 0, offset = 8) uniform atomic_uint survivor_count;
-layout(binding = 0, offset = 12) uniform atomic_uint survivor_carry;
-layout(binding = 0, offset = 16) uniform atomic_uint mask_count;
-layout(binding = 0, offset = 20) uniform atomic_uint mask_carry;
-#define COUNT(low, high) \
-  if (atomicCounterIncrement(low) == 0xffffffffu) atomicCounterIncrement(high)
-#else
-#define COUNT(low, high)
-#endif
 
 #if LKAO_ATOMICS
 layout(std430, binding = LKAO_STORAGE_MASKS) buffer Layer { uint words[]; } layers[LKAO_LAYERS];
@@ -147,15 +138,15 @@ void main() {
   vec4 receiver = texelFetch(receivers, ivec3(pixel, LKAO_RECEIVER_ORIGIN), 0);
   vec3 origin = receiver.xyz;
   if (receiver.w < 0.1 * LKAO_NO_RECEIVER) discard;
-  COUNT(drawn_count, drawn_carry);
+  COUNT_DRAWN;
   if (is_culled_by_place(origin, receiver.w)) discard;
   Frame frame = fetch_frame(pixel);
   if (is_culled_by_horizon(origin, frame.up)) discard;
-  COUNT(survivor_count, survivor_carry);
+  COUNT_SURVIVOR;
   if (pass.culls_by_reach != 0 && !is_in_reach(origin)) discard;
   Planes planes;
   if (!make_planes(shape.a, shape.b, shape.c, shape.normal, origin, shape.range, planes)) discard;
-  COUNT(mask_count, mask_carry);
+  COUNT_MASK;
   Masks masks = look_up(planes, frame);
   if (is_empty(masks)) discard;
 #if LKAO_MUST_MAY

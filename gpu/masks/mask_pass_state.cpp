@@ -47,7 +47,6 @@ const StateUse kReadUse{.moves_pixels = true};
 
 MaskPass::State::State(const MaskPassSetup& wanted)
     : setup(wanted),
-      counters(make_buffer(24, nullptr, GL_DYNAMIC_STORAGE_BIT)),
       plain_sampler(make_plain_sampler()),
       no_attributes(make_vertex_array()),
       classify(make_program({"mesh/classify.comp"})),
@@ -167,11 +166,7 @@ void MaskPass::State::draw_depths() {
 void MaskPass::State::draw_shapes(const MeshBuffers& mesh, const Camera& camera) {
   images.bind_masks();
   table->bind();
-  if (setup.count_fragments) {
-    const GLuint zeros[6] = {};
-    glNamedBufferSubData(counters.name(), 0, sizeof(zeros), zeros);
-    glBindBufferBase(GL_ATOMIC_COUNTER_BUFFER, 0, counters.name());
-  }
+  if (setup.count_fragments) counters.begin();
   glDepthFunc(GL_LESS);
   // Shapes reach before the near and beyond the far plane, and behind the eye.
   glEnable(GL_DEPTH_CLAMP);

@@ -8,6 +8,7 @@
 #include "gpu/frame/g_buffer_check.h"
 #include "gpu/frame/target_block.h"
 #include "gpu/frame/view_block.h"
+#include "gpu/gl/fragment_counters.h"
 #include "gpu/gl/objects.h"
 #include "gpu/gl/state_keeper.h"
 #include "gpu/gl/uniform_buffer.h"
@@ -70,7 +71,7 @@ struct MaskPass::State {
   UniformBuffer<ShapesBlock> shapes_buffer;
   UniformBuffer<MaskPassBlock> block_buffer;
   UniformBuffer<TargetBlock> target_buffer;
-  Buffer counters;
+  FragmentCounters counters;
   Sampler plain_sampler;
   VertexArray no_attributes;
   ProgramObject classify, receivers, depth, cast, resolve;

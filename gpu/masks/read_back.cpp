@@ -72,11 +72,8 @@ FragmentCounts MaskPass::read_fragment_counts() {
   require_clean_context(state_->setup.host_errors);
   state_->require_drawn();
   if (!state_->setup.count_fragments) return {};
-  std::array<GLuint, 6> counts{};
-  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-  glGetNamedBufferSubData(state_->counters.name(), 0, sizeof(counts), counts.data());
-  check_errors("reading the counters");
-  return {word_of(counts[0], counts[1]), word_of(counts[2], counts[3]), word_of(counts[4], counts[5])};
+  const auto [drawn, survivors, masks] = state_->counters.read();
+  return {drawn, survivors, masks};
 }
 
 }  // namespace lkao::gl

@@ -5,6 +5,7 @@
 // Based on: M. McGuire, "Ambient Occlusion Volumes", HPG 2010, Sec. 5, step 4.iv.
 #define VARYING in
 #include "gpu/volumes/varyings.glsl"
+#include "gpu/gl/fragment_counters.glsl"
 #include "gpu/mesh/shapes.glsl"
 #include "gpu/volumes/falloff.glsl"
 #include "gpu/volumes/form_factor.glsl"
@@ -19,20 +20,13 @@ layout(binding = LKAO_UNIT_UPS) uniform sampler2D ups;
 
 layout(location = 0) out float taken;  // is subtracted
 
+#define COUNT_DRAWN COUNT_0
+#define COUNT_INSIDE COUNT_1
+#define COUNT_BLENDED COUNT_2
+
 #if LKAO_COUNT
 // Atomics must not run for fragments that fail the depth test.
 layout(early_fragment_tests) in;
-// Of each number the low and the high 32 bits.
-layout(binding = 0, offset = 0) uniform atomic_uint drawn_count;
-layout(binding = 0, offset = 4) uniform atomic_uint drawn_carry;
-layout(binding = 0, offset = 8) uniform atomic_uint inside_count;
-layout(binding = 0, offset = 12) uniform atomic_uint inside_carry;
-layout(binding = 0, offset = 16) uniform atomic_uint blended_count;
-layout(binding = 0, offset = 20) uniform atomic_uint blended_carry;
-#define COUNT(low, high) \
-  if (atomicCounterIncrement(low) == 0xffffffffu) atomicCounterIncrement(high)
-#else
-#define COUNT(low, high)
 #endif
 
 bool is_left(vec3 from, vec3 to, vec3 point) { return dot(cross(to - from, point - from), shape.normal) >= 0.0; }
@@ -44,7 +38,7 @@ bool is_over_base(vec3 point) {
 }
 
 void main() {
-  COUNT(drawn_count, drawn_carry);
+  COUNT_DRAWN;
   ivec2 pixel = ivec2(gl_FragCoord.xy);
   // The receiver becomes the origin.
   vec3 receiver = texelFetch(origins, pixel, 0).xyz;
@@ -61,13 +55,13 @@ void main() {
   if (height <= 0.0) discard;
   float g = shape.opacity * falloff(a, b, c, normal, ao_radius());
   if (g <= 0.0 || (pass.clamps_extensions != 0 && !is_over_base(receiver))) discard;
-  COUNT(inside_count, inside_carry);
+  COUNT_INSIDE;
   vec4 axis = texelFetch(axes, pixel, 0);
   Polygon polygon = above(triangle_of(a, b, c), axis.xyz);
 #if LKAO_TWO_HORIZONS
   if (polygon.count > 0) polygon = above(polygon, texelFetch(ups, pixel, 0).xyz);
 #endif
   if (polygon.count == 0) discard;
-  COUNT(blended_count, blended_carry);
+  COUNT_BLENDED;
   taken = g * form_factor(polygon, axis.xyz) / axis.w;
 }

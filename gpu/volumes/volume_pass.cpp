@@ -27,8 +27,6 @@ void check_volumes(const MeshBuffers& mesh, const RayOptions& options, const Vol
   if (mesh.has_ranges()) throw std::invalid_argument("occluders of a VolumePass must have no ranges");
 }
 
-std::uint64_t joined(GLuint low, GLuint high) { return low | std::uint64_t{high} << 32; }
-
 }  // namespace
 
 VolumePass::VolumePass(const VolumePassSetup& setup) {
@@ -71,11 +69,8 @@ VolumeFragments VolumePass::read_fragment_counts() {
   require_clean_context(state_->setup.host_errors);
   if (!state_->is_drawn) throw std::runtime_error("nothing to read: no draw() came before");
   if (!state_->setup.count_fragments) return {};
-  std::array<GLuint, 6> counts{};
-  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-  glGetNamedBufferSubData(state_->counters.name(), 0, sizeof(counts), counts.data());
-  check_errors("reading the counters");
-  return {joined(counts[0], counts[1]), joined(counts[2], counts[3]), joined(counts[4], counts[5])};
+  const auto [drawn, inside, blended] = state_->counters.read();
+  return {drawn, inside, blended};
 }
 
 std::vector<std::string> VolumePass::warnings() const { return state_->warnings; }

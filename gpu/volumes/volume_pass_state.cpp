@@ -55,7 +55,6 @@ const StateUse kVolumesUse{.texture_targets = kVolumeTextureTargets,
 VolumePass::State::State(const VolumePassSetup& wanted)
     : setup(wanted),
       lists(kVolume),
-      counters(make_buffer(24, nullptr, GL_DYNAMIC_STORAGE_BIT)),
       plain_sampler(make_plain_sampler()),
       no_attributes(make_vertex_array()),
       classify(make_program({"mesh/classify.comp"})),
@@ -136,11 +135,7 @@ void VolumePass::State::draw_receivers() const {
 // Steps 1, 2 and 4.
 void VolumePass::State::draw_volumes(const MeshBuffers& mesh, const Camera& camera) {
   images.bind_accessibility(plain_sampler);
-  if (setup.count_fragments) {
-    const GLuint zeros[6] = {};
-    glNamedBufferSubData(counters.name(), 0, sizeof(zeros), zeros);
-    glBindBufferBase(GL_ATOMIC_COUNTER_BUFFER, 0, counters.name());
-  }
+  if (setup.count_fragments) counters.begin();
   glDepthFunc(GL_LESS);
   glEnable(GL_DEPTH_CLAMP);
   glEnable(GL_CULL_FACE);

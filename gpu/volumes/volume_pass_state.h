@@ -7,6 +7,7 @@
 #include "gpu/frame/g_buffer_check.h"
 #include "gpu/frame/target_block.h"
 #include "gpu/frame/view_block.h"
+#include "gpu/gl/fragment_counters.h"
 #include "gpu/gl/objects.h"
 #include "gpu/gl/program.h"
 #include "gpu/gl/state_keeper.h"
@@ -56,7 +57,7 @@ struct VolumePass::State {
   UniformBuffer<ShapesBlock> shapes_buffer;
   UniformBuffer<VolumePassBlock> block_buffer;
   UniformBuffer<TargetBlock> target_buffer;
-  Buffer counters;
+  FragmentCounters counters;
   Sampler plain_sampler;
   VertexArray no_attributes;
   ProgramObject classify, extend, receivers, resolve_program;
