@@ -3,12 +3,12 @@
 #include <epoxy/gl.h>
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <iterator>
 #include <numbers>
 #include <stdexcept>
 
 #include "gpu/frame/g_buffer.h"
+#include "gpu/frame/grown_size.h"
 #include "gpu/frame/occlusion_target.h"
 #include "gpu/frame/view.h"
 #include "gpu/gl/error.h"
@@ -75,13 +75,13 @@ struct BilateralFilter::State {
 
 void BilateralFilter::State::make_room(int width, int height) {
   if (width <= room_width && height <= room_height) return;
-  const int new_width = std::max(width, room_width), new_height = std::max(height, room_height);
+  const Size size = grown_size({width, height}, {room_width, room_height});
   half_filtered = make_texture(GL_TEXTURE_2D);
   room_width = room_height = 0;
-  glTextureStorage2D(half_filtered.name(), 1, GL_R32F, new_width, new_height);
+  glTextureStorage2D(half_filtered.name(), 1, GL_R32F, size.width, size.height);
   check_errors("making room for a filter");
-  room_width = new_width;
-  room_height = new_height;
+  room_width = size.width;
+  room_height = size.height;
 }
 
 void BilateralFilter::State::run(const ViewBlock& seen, FilterBlock values, const OcclusionTarget& from,
