@@ -1,15 +1,13 @@
 #include "raster/rasterizer.h"
 
-#include <chrono>
 #include <cmath>
 #include <stdexcept>
 
 #include "raster/camera.h"
+#include "raster/timed_frame.h"
 
 namespace lkao::raster {
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 void require(bool condition, const char* missing) {
   if (!condition) throw std::runtime_error(missing);
@@ -59,15 +57,10 @@ double Rasterizer::draw(const RayOptions& options, const gl::RasterOptions& rast
   drawn_ = Drawn::nothing;
   const gl::GBuffer g_buffer = textures_->g_buffer();
   const gl::ResolveTargets targets = textures_->targets(with_bent_normals);
-  // The textures have the receivers as they are: they start where the query's do.
-  RayOptions rays = options;
-  if (rays.surface_offset == kAutomaticSurfaceOffset) rays.surface_offset = kQuerySurfaceOffset;
-  glFinish();
-  const Clock::time_point start = Clock::now();
-  pass.draw(*occluders_, g_buffer, camera_, rays, raster);
-  pass.resolve(targets);
-  glFinish();
-  const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  const double seconds = seconds_of([&] {
+    pass.draw(*occluders_, g_buffer, camera_, from_exact_receivers(options), raster);
+    pass.resolve(targets);
+  });
   drawn_ = with_bent_normals ? Drawn::bent_normals_too : Drawn::occlusion;
   return seconds;
 }

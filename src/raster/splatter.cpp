@@ -1,16 +1,12 @@
 #include "raster/splatter.h"
 
-#include <epoxy/gl.h>
-
-#include <chrono>
 #include <stdexcept>
 
 #include "raster/camera.h"
+#include "raster/timed_frame.h"
 
 namespace lkao::raster {
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 void require_view(bool has_view) {
   if (!has_view) throw std::runtime_error("no view: call set_view() first");
@@ -36,11 +32,7 @@ double Splatter::draw(const gl::SplatOptions& options) {
   require_view(textures_.has_value());
   const gl::GBuffer g_buffer = textures_->g_buffer(), second = behind_ ? behind_->g_buffer() : gl::GBuffer{};
   const gl::OcclusionTarget target = textures_->targets(false).occlusion;
-  glFinish();
-  const Clock::time_point start = Clock::now();
-  pass_->draw(g_buffer, camera_, options, target, behind_ ? &second : nullptr);
-  glFinish();
-  return std::chrono::duration<double>(Clock::now() - start).count();
+  return seconds_of([&] { pass_->draw(g_buffer, camera_, options, target, behind_ ? &second : nullptr); });
 }
 
 std::vector<float> Splatter::read_occlusion() const {

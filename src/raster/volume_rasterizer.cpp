@@ -2,11 +2,11 @@
 
 #include <epoxy/gl.h>
 
-#include <chrono>
 #include <stdexcept>
 
 #include "gpu/gl/objects.h"
 #include "raster/camera.h"
+#include "raster/timed_frame.h"
 
 namespace lkao::raster {
 
@@ -37,7 +37,6 @@ gl::VolumePass& VolumeRasterizer::pass() {
 }
 
 double VolumeRasterizer::draw(const RayOptions& options, const gl::VolumeOptions& volumes) {
-  using std::chrono::steady_clock;
   gl::VolumePass& pass = this->pass();
   if (!textures_ || !occluders_) throw std::runtime_error("no view or no occluders to draw");
   gl::GBuffer g_buffer = textures_->g_buffer();
@@ -50,15 +49,10 @@ double VolumeRasterizer::draw(const RayOptions& options, const gl::VolumeOptions
     glTextureStorage2D(samples.name(), 1, GL_R32F, g_buffer.picture_width(), g_buffer.picture_height());
     drawn.texture = samples.name();
   }
-  // The textures have the receivers as they are.
-  RayOptions rays = options;
-  if (rays.surface_offset == kAutomaticSurfaceOffset) rays.surface_offset = kQuerySurfaceOffset;
-  glFinish();
-  const steady_clock::time_point start = steady_clock::now();
-  pass.draw(*occluders_, g_buffer, camera_, rays, drawn, volumes);
-  if (step_ > 1) filter_->upsample(g_buffer, camera_, drawn, target, {.radius = step_});
-  glFinish();
-  return std::chrono::duration<double>(steady_clock::now() - start).count();
+  return seconds_of([&] {
+    pass.draw(*occluders_, g_buffer, camera_, from_exact_receivers(options), drawn, volumes);
+    if (step_ > 1) filter_->upsample(g_buffer, camera_, drawn, target, {.radius = step_});
+  });
 }
 
 std::vector<float> VolumeRasterizer::read_occlusion() const { return textures_.value().read_occlusion(); }
