@@ -8,6 +8,7 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "gpu/expect_error.h"
 #include "gpu/gl/program.h"
 #include "gpu/on_software.h"
 #include "gpu/pass_scene.h"
@@ -32,18 +33,6 @@ class PassErrors : public OnSoftware {
 
   GBuffer g_buffer() const {
     return {.width = kSize, .height = kSize, .positions = positions_.name(), .normals = normals_.name()};
-  }
-
-  template <typename Error>
-  static void expect_error(const std::string& named, const std::function<void()>& mistake) {
-    try {
-      mistake();
-      ADD_FAILURE() << "no exception about " << named;
-    } catch (const Error& error) {
-      const std::string line = error.what();
-      EXPECT_NE(line.find(named), std::string::npos) << line;
-      EXPECT_EQ(line.find('\n'), std::string::npos) << line;
-    }
   }
 
   static PassOnMesh ready_pass() {

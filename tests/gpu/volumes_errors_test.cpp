@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "gpu/expect_error.h"
 #include "gpu/g_buffer_pass.h"
 #include "gpu/on_software.h"
 #include "gpu/pass_scene.h"
@@ -31,18 +32,6 @@ class VolumeErrors : public OnSoftware {
 
   GBuffer g_buffer() const {
     return {.width = kSize, .height = kSize, .positions = positions_.name(), .normals = normals_.name()};
-  }
-
-  template <typename Error>
-  static void expect_error(const std::string& named, const std::function<void()>& mistake) {
-    try {
-      mistake();
-      ADD_FAILURE() << "no exception about " << named;
-    } catch (const Error& error) {
-      const std::string line = error.what();
-      EXPECT_NE(line.find(named), std::string::npos) << line;
-      EXPECT_EQ(line.find('\n'), std::string::npos) << line;
-    }
   }
 
   const Camera camera_ = room_camera(kSize, kSize);
