@@ -6,47 +6,20 @@
 #include <memory>
 #include <stdexcept>
 
-#include "cli/program.h"
+#include "cli/gl_program.h"
 #include "cli/small_mesh.h"
 #include "image/image.h"
 #include "image/metrics.h"
 #include "lkao/gl.h"
-#include "raster/small_scene.h"
 
 namespace lkao::test {
 namespace {
 
-// The program, too, then draws in one thread: llvmpipe's own stop LeakSanitizer now and then.
-const int kIsWithoutThreads = setenv("LP_NUM_THREADS", "0", 0);
-
-class RasterRender : public ProgramTest {
+class RasterRender : public GlProgramTest {
  protected:
-  void SetUp() override {
-    ProgramTest::SetUp();
-    try {
-      software_ = std::make_unique<gl::HeadlessContext>(gl::Device::software);
-    } catch (const std::runtime_error& error) {
-      GTEST_SKIP() << "OpenGL is NOT tested on this machine: " << error.what() << "; install libgl1-mesa-dri";
-    }
-    const scene::Mesh mesh = raster::tests::small_scene();
-    scene_ = write_file("small.ply", ply_bytes(mesh.positions, mesh.triangles));
-  }
-
   // A rendering of the small scene; `more` may hold options of any method.
   Arguments render(const std::string& method, const std::string& size, const Arguments& more = {}) const {
-    Arguments arguments = {"render",   scene_,
-                           "--method", method,
-                           "--size",   size,
-                           "--radius", "0.5",
-                           "--eye",    "1.2,1.8,2.4",
-                           "--target", "0.05,0.45,-0.1",
-                           "--up",     "0.15,1,0",
-                           "--fov",    "62",
-                           "-o",       path(method + ".exr"),
-                           "--json",   path(method + ".json")};
-    if (method == "raster") arguments.insert(arguments.end(), {"--gl", "software"});
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    return arguments;
+    return render_small_scene(method, size, method, more);
   }
 
   std::vector<float> channel(const std::string& name, const std::string& channel_name) const {
@@ -58,9 +31,6 @@ class RasterRender : public ProgramTest {
     }
     return values;
   }
-
-  std::string scene_;
-  std::unique_ptr<gl::HeadlessContext> software_;
 };
 
 TEST_F(RasterRender, DrawsWhatSurroundsTheSceneToo) {

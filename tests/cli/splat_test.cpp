@@ -4,43 +4,23 @@
 #include <memory>
 #include <stdexcept>
 
-#include "cli/program.h"
+#include "cli/gl_program.h"
 #include "cli/small_mesh.h"
 #include "image/image.h"
 #include "lkao/gl.h"
-#include "raster/small_scene.h"
 
 namespace lkao::test {
 namespace {
 
-// The program, too, then draws in one thread: llvmpipe's own stop LeakSanitizer now and then.
-const int kSplatsWithoutThreads = setenv("LP_NUM_THREADS", "0", 0);
-
-class SplatRender : public ProgramTest {
+class SplatRender : public GlProgramTest {
  protected:
-  void SetUp() override {
-    ProgramTest::SetUp();
-    try {
-      const gl::HeadlessContext software(gl::Device::software);
-    } catch (const std::runtime_error& error) {
-      GTEST_SKIP() << "OpenGL is NOT tested on this machine: " << error.what() << "; install libgl1-mesa-dri";
-    }
-    const scene::Mesh mesh = raster::tests::small_scene();
-    scene_ = write_file("small.ply", ply_bytes(mesh.positions, mesh.triangles));
-  }
-
   Arguments render(const std::string& name, const Arguments& more = {}) const {
-    Arguments arguments = {
-        "render",    scene_,     "--method", "splat", "--gl",  "software",          "--size",   "33x25",
-        "--spheres", "600",      "--radius", "0.5",   "--eye", "1.2,1.8,2.4",       "--target", "0.05,0.45,-0.1",
-        "--up",      "0.15,1,0", "--fov",    "62",    "-o",    path(name + ".exr"), "--json",   path(name + ".json")};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    return arguments;
+    Arguments settings = {"--spheres", "600"};
+    settings.insert(settings.end(), more.begin(), more.end());
+    return render_small_scene("splat", "33x25", name, settings);
   }
 
   std::vector<float> pixels(const std::string& name) const { return image::read_image(path(name + ".exr")).pixels; }
-
-  std::string scene_;
 };
 
 TEST_F(SplatRender, EachHalfSeesSomethingAndBothAreNearRays) {

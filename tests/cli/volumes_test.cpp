@@ -4,46 +4,19 @@
 #include <memory>
 #include <stdexcept>
 
-#include "cli/program.h"
+#include "cli/gl_program.h"
 #include "cli/small_mesh.h"
 #include "image/image.h"
 #include "image/metrics.h"
 #include "lkao/gl.h"
-#include "raster/small_scene.h"
 
 namespace lkao::test {
 namespace {
 
-// llvmpipe's own threads stop LeakSanitizer now and then.
-const int kVolumesAreWithoutThreads = setenv("LP_NUM_THREADS", "0", 0);
-
-class VolumesRender : public ProgramTest {
+class VolumesRender : public GlProgramTest {
  protected:
-  void SetUp() override {
-    ProgramTest::SetUp();
-    try {
-      const gl::HeadlessContext software(gl::Device::software);
-    } catch (const std::runtime_error& error) {
-      GTEST_SKIP() << "OpenGL is NOT tested on this machine: " << error.what() << "; install libgl1-mesa-dri";
-    }
-    const scene::Mesh mesh = raster::tests::small_scene();
-    scene_ = write_file("small.ply", ply_bytes(mesh.positions, mesh.triangles));
-  }
-
   Arguments render(const Arguments& more = {}, const std::string& method = "volumes") const {
-    Arguments arguments = {"render",   scene_,
-                           "--method", method,
-                           "--size",   "64x48",
-                           "--radius", "0.5",
-                           "--eye",    "1.2,1.8,2.4",
-                           "--target", "0.05,0.45,-0.1",
-                           "--up",     "0.15,1,0",
-                           "--fov",    "62",
-                           "-o",       path(method + ".exr"),
-                           "--json",   path(method + ".json")};
-    if (method == "volumes") arguments.insert(arguments.end(), {"--gl", "software"});
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    return arguments;
+    return render_small_scene(method, "64x48", method, more);
   }
 
   std::vector<float> occlusion(const Arguments& more) const {
@@ -58,8 +31,6 @@ class VolumesRender : public ProgramTest {
     for (const float value : values) sum += static_cast<double>(value);
     return sum / static_cast<double>(values.size());
   }
-
-  std::string scene_;
 };
 
 TEST_F(VolumesRender, AreNearTheRaysOfLinearFalloff) {
