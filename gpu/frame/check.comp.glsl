@@ -13,7 +13,7 @@ bool is_seen_at(vec2 pixel, vec3 in_view, float texel_size) {
   if (is_perspective() && in_view.z >= 0.0) return false;
   vec4 clip = view.clip_from_view * vec4(in_view, 1.0);
   vec2 place = (clip.xy / clip.w * 0.5 + 0.5) * vec2(view.width, view.height);
-  float pixel_size = view.pixel_size * (is_perspective() ? -in_view.z : 1.0);
+  float pixel_size = pixel_width(in_view);
   return distance(place, pixel + 0.5) <= 2.0 + texel_size / pixel_size;
 }
 

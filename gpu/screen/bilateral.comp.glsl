@@ -13,7 +13,7 @@ void main() {
     write_background(pixel);
     return;
   }
-  float width = pixel_width(middle);
+  float width = pixel_width(middle.position);
   float sum = read_occlusion(pixel), weight_sum = 1.0;
   for (int i = -pass.radius; i <= pass.radius; ++i) {
     ivec2 place = pixel + i * ivec2(pass.step_x, pass.step_y);

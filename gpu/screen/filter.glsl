@@ -6,8 +6,6 @@
 
 layout(binding = LKAO_UNIT_UNFILTERED) uniform sampler2D unfiltered;
 
-float pixel_width(Surface surface) { return view.pixel_size * (is_perspective() ? -surface.position.z : 1.0); }
-
 // How much a surface belongs to that in the middle, whose pixels are so wide there.
 float likeness(Surface middle, Surface other, float width) {
   float off_plane = dot(middle.normal, other.position - middle.position) / (pass.depth_tolerance * width);

@@ -19,7 +19,7 @@ void main() {
     write_background(pixel);
     return;
   }
-  float width = pixel_width(middle);
+  float width = pixel_width(middle.position);
   float sum = 0.0, weight_sum = 0.0;
   ivec2 last = min((pixel + pass.radius) / pass.sample_step, ivec2(pass.sample_width, pass.sample_height) - 1);
   ivec2 first = (max(pixel - pass.radius, 0) + pass.sample_step - 1) / pass.sample_step;

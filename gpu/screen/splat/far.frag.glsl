@@ -8,10 +8,10 @@
 // - Only the share of a sphere that is beyond the near half counts, where the paper lets both overlap; so that nothing
 //   jumps, it grows from nothing to all while the sphere passes that distance.
 // - Where a receiver comes near a sphere, it fades (InsideSphere::faded), where the paper blocks all within.
+#include "gpu/screen/receivers.glsl"
 #include "gpu/screen/splat/sphere.glsl"
 #include "gpu/screen/splat/units.h"
 
-layout(binding = LKAO_UNIT_SPLAT_RECEIVERS) uniform sampler2DArray receivers;
 flat in vec4 sphere;
 layout(location = 0) out float occlusion;
 
@@ -25,7 +25,7 @@ float share_in_range(float distance_to_it) {
 void main() {
   occlusion = 0.0;
   ivec2 pixel = ivec2(gl_FragCoord.xy);
-  vec4 position = texelFetch(receivers, ivec3(pixel, LKAO_RECEIVER_POSITION), 0);
+  vec4 position = receiver_position(pixel);
   vec3 to = sphere.xyz - position.xyz;
   float squared_distance = dot(to, to), squared_radius = sphere.w * sphere.w;
   if (position.w == 0.0 || squared_distance >= pass.reach * pass.reach * squared_radius) return;
@@ -33,7 +33,7 @@ void main() {
     occlusion = pass.blocks_inside != 0 ? 1.0 : 0.0;
     return;
   }
-  float height = dot(texelFetch(receivers, ivec3(pixel, LKAO_RECEIVER_NORMAL), 0).xyz, to);
+  float height = dot(receiver_normal(pixel), to);
   if (height <= 0.0) return;
   float distance_to_it = sqrt(squared_distance);
   occlusion = share_in_range(distance_to_it) *

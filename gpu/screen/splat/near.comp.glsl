@@ -8,12 +8,12 @@
 // - Its places come from a sequence that is moved by a hash of the pixel, not from a texture of random numbers, and may
 //   lie densest in the middle, where what a pixel blocks is most.
 // - With shading normals, what lies below the surface itself blocks nothing, though it may be above their horizon.
-#include "gpu/frame/view.glsl"
+#include "gpu/screen/hash.glsl"
+#include "gpu/screen/receivers.glsl"
 #include "gpu/screen/splat/sphere.glsl"
 #include "gpu/screen/splat/units.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
-layout(binding = LKAO_UNIT_SPLAT_RECEIVERS) uniform sampler2DArray receivers;
 layout(binding = LKAO_UNIT_SPLAT_PIXEL_SPHERES) uniform sampler2DArray pixel_spheres;
 layout(binding = 0, r32f) writeonly uniform image2D sum;
 
@@ -44,7 +44,7 @@ float occlusion_by(Receiver receiver, ivec2 pixel) {
 
 bool is_in_disc(ivec2 pixel, ivec2 middle, float radius) {
   vec2 off = vec2(pixel - middle);
-  return all(greaterThanEqual(pixel, ivec2(0))) && !is_outside(pixel) && dot(off, off) <= radius * radius;
+  return is_on_picture(pixel) && dot(off, off) <= radius * radius;
 }
 
 // Eq. 4 as it stands.
@@ -58,14 +58,6 @@ float sum_over_all(Receiver receiver, float radius) {
     }
   }
   return occlusion;
-}
-
-// M. Jarzynski, M. Olano, "Hash Functions for GPU Rendering", JCGT 9(3), 2020: pcg3d.
-uvec3 hash(uvec3 v) {
-  v = v * 1664525u + 1013904223u;
-  v += v.yzx * v.zxy;
-  v ^= v >> 16u;
-  return v + v.yzx * v.zxy;
 }
 
 // The integral of 1 / distance over a pixel's square, `off` from the middle of the disc.
@@ -106,9 +98,8 @@ float sum_over_subset(Receiver receiver, float radius, int count) {
 
 // near_radius on the screen, in pixels; no longer than there are pixels.
 float disc_radius(Receiver receiver) {
-  float width = view.pixel_size * (is_perspective() ? -receiver.position.z : 1.0);
   vec2 farthest = vec2(max(receiver.pixel, ivec2(view.width, view.height) - 1 - receiver.pixel));
-  return min(pass.near_radius / width, length(farthest));
+  return min(pass.near_radius / pixel_width(receiver.position), length(farthest));
 }
 
 float near_occlusion(Receiver receiver) {
@@ -121,12 +112,11 @@ float near_occlusion(Receiver receiver) {
 void main() {
   ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
   if (is_outside(pixel)) return;
-  vec4 position = texelFetch(receivers, ivec3(pixel, LKAO_RECEIVER_POSITION), 0);
+  vec4 position = receiver_position(pixel);
   vec4 own = texelFetch(pixel_spheres, ivec3(pixel, 0), 0);
   float occlusion = 0.0;
   if (pass.layer_count > 0 && position.w > 0.0 && own.w > 0.0) {
-    vec3 normal = texelFetch(receivers, ivec3(pixel, LKAO_RECEIVER_NORMAL), 0).xyz;
-    occlusion = near_occlusion(Receiver(pixel, position.xyz, normal, position.xyz - own.xyz));
+    occlusion = near_occlusion(Receiver(pixel, position.xyz, receiver_normal(pixel), position.xyz - own.xyz));
   }
   imageStore(sum, pixel, vec4(occlusion, 0, 0, 0));
 }

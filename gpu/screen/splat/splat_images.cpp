@@ -24,7 +24,7 @@ void SplatImages::make_room(int width, int height, int layer_count) {
 
 void SplatImages::allocate(int width, int height, int layer_count) {
   receivers_ = make_texture(GL_TEXTURE_2D_ARRAY);
-  glTextureStorage3D(receivers_.name(), 1, GL_RGBA32F, width, height, LKAO_RECEIVER_LAYER_COUNT);
+  glTextureStorage3D(receivers_.name(), 1, GL_RGBA32F, width, height, LKAO_SCREEN_LAYER_COUNT);
   pixel_spheres_ = make_texture(GL_TEXTURE_2D_ARRAY);
   glTextureStorage3D(pixel_spheres_.name(), 1, GL_RGBA32F, width, height, layer_count);
   sum_ = make_texture(GL_TEXTURE_2D);

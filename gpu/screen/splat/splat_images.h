@@ -13,7 +13,7 @@ class SplatImages {
 
   int width() const { return width_; }
   int height() const { return height_; }
-  const Texture& receivers() const { return receivers_; }          // LKAO_RECEIVER_*
+  const Texture& receivers() const { return receivers_; }          // LKAO_SCREEN_*
   const Texture& pixel_spheres() const { return pixel_spheres_; }  // a layer of the scene each
   const Texture& sum() const { return sum_; }
   const Framebuffer& sum_framebuffer() const { return sum_framebuffer_; }

@@ -131,9 +131,9 @@ void SplatPass::State::find_surfaces(const GBuffer& g_buffer, const ViewBlock& v
 
 void SplatPass::State::bind_images() const {
   glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
-  glBindTextureUnit(LKAO_UNIT_SPLAT_RECEIVERS, images.receivers().name());
+  glBindTextureUnit(LKAO_UNIT_SCREEN_RECEIVERS, images.receivers().name());
   glBindTextureUnit(LKAO_UNIT_SPLAT_PIXEL_SPHERES, images.pixel_spheres().name());
-  for (int unit : {LKAO_UNIT_SPLAT_RECEIVERS, LKAO_UNIT_SPLAT_PIXEL_SPHERES, LKAO_UNIT_SPLAT_SUM}) {
+  for (int unit : {LKAO_UNIT_SCREEN_RECEIVERS, LKAO_UNIT_SPLAT_PIXEL_SPHERES, LKAO_UNIT_SPLAT_SUM}) {
     glBindSampler(static_cast<GLuint>(unit), plain_sampler.name());
   }
 }

@@ -19,11 +19,11 @@ void main() {
   Surface surface;
   bool is_there = find_surface(pixel, surface);
   if (pass.layer == 0) {
-    imageStore(receivers, ivec3(pixel, LKAO_RECEIVER_POSITION), is_there ? vec4(surface.position, 1) : vec4(0));
-    imageStore(receivers, ivec3(pixel, LKAO_RECEIVER_NORMAL), is_there ? vec4(surface.normal, 0) : vec4(0));
+    imageStore(receivers, ivec3(pixel, LKAO_SCREEN_POSITION), is_there ? vec4(surface.position, 1) : vec4(0));
+    imageStore(receivers, ivec3(pixel, LKAO_SCREEN_NORMAL), is_there ? vec4(surface.normal, 0) : vec4(0));
   }
   vec4 sphere = vec4(0);  // of radius 0: none
-  float width = is_there ? view.pixel_size * (is_perspective() ? -surface.position.z : 1.0) : 0.0;
+  float width = is_there ? pixel_width(surface.position) : 0.0;
   if (width > 0.0) {
     float radius = pass.pixel_sphere_radius * width;
     sphere = vec4(surface.position - radius * surface.geometric_normal, radius);
