@@ -58,12 +58,12 @@ class SplatFar : public OnSoftware {
   void TearDown() override { pass_.reset(); }
 
   // Against the sum in double; how many pixels got something.
-  std::size_t expect_sums(const SplatView& view, const std::vector<glm::vec4>& spheres, const SplatOptions& options) {
+  std::size_t expect_sums(const PixelView& view, const std::vector<glm::vec4>& spheres, const SplatOptions& options) {
     pass_->set_spheres(spheres);
-    const std::vector<float> drawn = view.draw(*pass_, options);
+    const std::vector<float> drawn = draw_splats(view, *pass_, options);
     std::size_t count = 0, wrong_count = 0;
     for (std::size_t i = 0; i < drawn.size(); ++i) {
-      const SplatPixel& pixel = view.pixels()[i];
+      const SeenPixel& pixel = view.pixels()[i];
       const double expected = pixel.is_there() ? std::fmin(expected_far(pixel, spheres, options), 1.0) : 0;
       count += expected > 0;
       if (std::fabs(drawn[i] - expected) < 2e-5) continue;
@@ -74,8 +74,7 @@ class SplatFar : public OnSoftware {
     return count;
   }
 
-  static bool is_at_an_end(const SplatPixel& pixel, const std::vector<glm::vec4>& spheres,
-                           const SplatOptions& options) {
+  static bool is_at_an_end(const SeenPixel& pixel, const std::vector<glm::vec4>& spheres, const SplatOptions& options) {
     for (const glm::vec4& sphere : spheres) {
       const double distance = glm::length(glm::dvec3(sphere) - pixel.position) / double{sphere.w};
       const double reach = sphere_reach(options.epsilon, options.formula);
@@ -109,7 +108,7 @@ TEST(SphereReach, IsWhereASphereBlocksEpsilon) {
 
 TEST_F(SplatFar, OneSphereIsItsClosedForm) {
   for (const Camera& camera : all_cameras()) {
-    const SplatView view = random_view(camera, kWidth, kHeight, 3);
+    const PixelView view = random_view(camera, kWidth, kHeight, 3);
     const glm::vec4 in_world = glm::inverse(camera.view) * glm::vec4(0.3f, -0.2f, -4, 1);
     const std::vector<glm::vec4> sphere{{glm::vec3(in_world), 0.35f}};
     for (const SphereFormula formula : kFormulas) {
@@ -124,7 +123,7 @@ TEST_F(SplatFar, OneSphereIsItsClosedForm) {
 
 TEST_F(SplatFar, SpheresAreAddedUpWhereverTheyAre) {
   for (const Camera& camera : all_cameras()) {
-    const SplatView view = random_view(camera, kWidth, kHeight, 4);
+    const PixelView view = random_view(camera, kWidth, kHeight, 4);
     const std::vector<glm::vec4> spheres = random_spheres(camera, 200);
     for (const float epsilon : {0.2f, 0.01f}) EXPECT_GT(expect_sums(view, spheres, far_only(epsilon)), 300u);
     for (const InsideSphere inside : {InsideSphere::faded, InsideSphere::everything}) {
@@ -143,12 +142,12 @@ TEST_F(SplatFar, WhatIsAboveTheHorizonIsWhatRaysFind) {
   lut::RandomStream random(8);
   for (const double sine : {0.1, 0.3, 0.6, 0.8}) {
     for (const double tilt : {0.0, 0.2}) {
-      const SplatView view(camera, 1, 1, {{{0, 0, -2}, normal, normal}});
+      const PixelView view(camera, 1, 1, {{{0, 0, -2}, normal, normal}});
       const glm::dvec3 centre(std::sin(tilt), 0, std::cos(tilt) - 2);
       pass_->set_spheres(std::vector{glm::vec4(glm::vec3(centre), static_cast<float>(sine))});
       SplatOptions options = far_only();
       options.formula = SphereFormula::exact;
-      const double exact = view.draw(*pass_, options)[0];
+      const double exact = draw_splats(view, *pass_, options)[0];
       // Directions that are as frequent as their cosine.
       const glm::dvec3 to(std::sin(tilt), 0, std::cos(tilt));
       const int ray_count = 400'000;
@@ -165,7 +164,7 @@ TEST_F(SplatFar, WhatIsAboveTheHorizonIsWhatRaysFind) {
       EXPECT_NEAR(exact, share, 4 * deviation) << sine << ' ' << tilt;
       // The paper's cap weighs all of itself by the cosine of its middle.
       options.formula = SphereFormula::cap;
-      const double cap = view.draw(*pass_, options)[0];
+      const double cap = draw_splats(view, *pass_, options)[0];
       EXPECT_NEAR(cap / exact, 2 / (1 + std::sqrt(1 - sine * sine)), 1e-4);
     }
   }
@@ -173,13 +172,13 @@ TEST_F(SplatFar, WhatIsAboveTheHorizonIsWhatRaysFind) {
 
 TEST_F(SplatFar, SumsEndAtOne) {
   const Camera camera = all_cameras()[0];
-  const SplatView view = random_view(camera, kWidth, kHeight, 5);
+  const PixelView view = random_view(camera, kWidth, kHeight, 5);
   const std::vector<glm::vec4> spheres = random_spheres(camera, 3000);
   SplatOptions options = far_only();
   options.formula = SphereFormula::printed;
   pass_->set_spheres(spheres);
   std::size_t full_count = 0;
-  for (const float value : view.draw(*pass_, options)) {
+  for (const float value : draw_splats(view, *pass_, options)) {
     EXPECT_GE(value, 0.0f);
     EXPECT_LE(value, 1.0f);
     full_count += value == 1.0f;
@@ -189,26 +188,26 @@ TEST_F(SplatFar, SumsEndAtOne) {
 
 TEST_F(SplatFar, CountsItsFragments) {
   const Camera camera{glm::mat4(1), glm::ortho(-4.0f, 4.0f, -3.0f, 3.0f, 0.1f, 20.0f)};
-  const SplatView view = random_view(camera, 80, 60, 6);
+  const PixelView view = random_view(camera, 80, 60, 6);
   const std::vector<glm::vec4> none;
   pass_->set_spheres(none);
-  view.draw(*pass_, far_only());
+  draw_splats(view, *pass_, far_only());
   EXPECT_EQ(pass_->read_fragment_count(), 0u);
   // (r / d)^2 = 1 / 25 at 5 r = 1: a square of 20 x 20 pixels.
   SplatOptions options = far_only(0.04f);
   options.formula = SphereFormula::exact;
   pass_->set_spheres(std::vector<glm::vec4>{{0, 0, -3, 0.2f}});
-  view.draw(*pass_, options);
+  draw_splats(view, *pass_, options);
   EXPECT_NEAR(static_cast<double>(pass_->read_fragment_count()), 400, 45);
   options.far_half = false;
   options.near_half = true, options.near_radius = 1;
-  view.draw(*pass_, options);
+  draw_splats(view, *pass_, options);
   EXPECT_EQ(pass_->read_fragment_count(), 0u);
 }
 
 TEST_F(SplatFar, SpheresThatAreNoneBlockNothing) {
   const float nan = std::numeric_limits<float>::quiet_NaN(), infinity = std::numeric_limits<float>::infinity();
-  const SplatView view = random_view(all_cameras()[0], kWidth, kHeight, 3);
+  const PixelView view = random_view(all_cameras()[0], kWidth, kHeight, 3);
   pass_->set_spheres(std::vector<glm::vec4>{{0, 0, 0, 0},
                                             {0, 0, 0, -1},
                                             {0, 0, 0, nan},
@@ -217,12 +216,12 @@ TEST_F(SplatFar, SpheresThatAreNoneBlockNothing) {
                                             {0, 0, 0, infinity},
                                             {0, 0, -2e18f, 1e18f}});
   std::size_t count = 0;
-  for (const float value : view.draw(*pass_, far_only())) count += value != 0.0f;
+  for (const float value : draw_splats(view, *pass_, far_only())) count += value != 0.0f;
   EXPECT_EQ(count, 0u);
 }
 
 TEST_F(SplatFar, SpheresMoveAndChangeTheirNumber) {
-  const SplatView view = random_view(all_cameras()[0], kWidth, kHeight, 3);
+  const PixelView view = random_view(all_cameras()[0], kWidth, kHeight, 3);
   std::vector<glm::vec4> spheres = random_spheres(view.camera(), 20);
   EXPECT_GT(expect_sums(view, spheres, far_only()), 100u);
   for (glm::vec4& sphere : spheres) sphere += glm::vec4(0.5f, -0.25f, 0.1f, 0.05f);
@@ -232,9 +231,9 @@ TEST_F(SplatFar, SpheresMoveAndChangeTheirNumber) {
   // As a shader would.
   spheres[0] = {0.5f, 1, 0, 0.5f};
   glNamedBufferSubData(pass_->spheres_buffer(), 0, sizeof(glm::vec4), &spheres[0]);
-  const std::vector<float> drawn = view.draw(*pass_, far_only());
+  const std::vector<float> drawn = draw_splats(view, *pass_, far_only());
   for (std::size_t i = 0; i < drawn.size(); ++i) {
-    const SplatPixel& pixel = view.pixels()[i];
+    const SeenPixel& pixel = view.pixels()[i];
     if (!pixel.is_there() || is_at_an_end(pixel, spheres, far_only())) continue;
     EXPECT_NEAR(drawn[i], std::fmin(expected_far(pixel, spheres, far_only()), 1.0), 2e-5);
   }

@@ -27,7 +27,7 @@ constexpr SplatOptions kOptions{
 
 class SplatGolden : public OnSoftware {
  protected:
-  static SplatView ground() {
+  static PixelView ground() {
     return view_of_ground([](double x, double z) { return -0.9 + 0.1 * std::sin(7 * x + z) * std::cos(5 * z); }, kWidth,
                           kHeight);
   }
@@ -61,10 +61,10 @@ class SplatGolden : public OnSoftware {
 };
 
 TEST_F(SplatGolden, IsItsDefinition) {
-  const SplatView view = ground();
+  const PixelView view = ground();
   std::vector<float> occlusion;
   for (std::size_t i = 0; i < view.pixels().size(); ++i) {
-    const SplatPixel& pixel = view.pixels()[i];
+    const SeenPixel& pixel = view.pixels()[i];
     const double sum =
         pixel.is_there() ? expected_near(view, i, {&view}, kOptions) + expected_far(pixel, balls(), kOptions) : 0.0;
     occlusion.push_back(static_cast<float>(std::fmin(sum, 1.0)));
@@ -77,15 +77,15 @@ TEST_F(SplatGolden, IsItsDefinition) {
 }
 
 TEST_F(SplatGolden, IsDrawn) {
-  const SplatView view = ground();
+  const PixelView view = ground();
   SplatPass pass;
   pass.set_spheres(balls());
-  expect_golden(view.draw(pass, kOptions), 0.51, 0.005, 6);
+  expect_golden(draw_splats(view, pass, kOptions), 0.51, 0.005, 6);
   // As many samples as by default.
   SplatOptions few = kOptions;
   few.samples_per_pixel = SplatOptions().samples_per_pixel;
   few.max_sample_count = SplatOptions().max_sample_count;
-  expect_golden(view.draw(pass, few), 8.5, 0.05, 60);
+  expect_golden(draw_splats(view, pass, few), 8.5, 0.05, 60);
 }
 
 }  // namespace

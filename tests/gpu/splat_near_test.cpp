@@ -19,21 +19,21 @@ constexpr int kHeight = 30;
 constexpr SplatOptions kAll{
     .far_half = false, .near_radius = 0.5f, .samples_per_pixel = 1e6f, .max_sample_count = 16384};
 
-SplatView view_of_waves() {
+PixelView view_of_waves() {
   return view_of_ground([](double x, double z) { return -1.2 + 0.15 * std::sin(6 * x) * std::cos(5 * z); }, kWidth,
                         kHeight);
 }
 
 // The mean over seeds against the sum over all pixels; the variance of a pixel of one seed, over the pixels.
-double expect_right_on_average(const SplatView& view, SplatPass& pass, SplatOptions options) {
-  const std::vector<float> right = view.draw(pass, options);
+double expect_right_on_average(const PixelView& view, SplatPass& pass, SplatOptions options) {
+  const std::vector<float> right = draw_splats(view, pass, options);
   options.samples_per_pixel = 2;
   options.max_sample_count = 12;
   constexpr int kSeedCount = 300;
   std::vector<double> sums(right.size()), squares(right.size());
   for (int seed = 0; seed < kSeedCount; ++seed) {
     options.seed = static_cast<std::uint32_t>(seed);
-    const std::vector<float> drawn = view.draw(pass, options);
+    const std::vector<float> drawn = draw_splats(view, pass, options);
     for (std::size_t i = 0; i < drawn.size(); ++i) {
       sums[i] += drawn[i];
       squares[i] += double{drawn[i]} * drawn[i];
@@ -66,9 +66,9 @@ class SplatNear : public OnSoftware {
   void TearDown() override { pass_.reset(); }
 
   // Of all pixels of the discs, against the sum in double; the sum of all that was expected.
-  double expect_sums(const SplatView& view, const SplatOptions& options, const SplatView* behind = nullptr) {
-    const std::vector<float> drawn = view.draw(*pass_, options, behind);
-    std::vector<const SplatView*> layers{&view};
+  double expect_sums(const PixelView& view, const SplatOptions& options, const PixelView* behind = nullptr) {
+    const std::vector<float> drawn = draw_splats(view, *pass_, options, behind);
+    std::vector<const PixelView*> layers{&view};
     if (behind != nullptr) layers.push_back(behind);
     double sum = 0;
     std::size_t wrong_count = 0;
@@ -88,19 +88,19 @@ class SplatNear : public OnSoftware {
 
 TEST_F(SplatNear, NothingOfAPlaneIsAboveItsHorizon) {
   for (const auto& [slope_x, slope_z] : {std::pair{0.0, 0.0}, {0.5, 0.3}, {-1.5, 0.1}, {0.2, -0.05}}) {
-    const SplatView view =
+    const PixelView view =
         view_of_ground([a = slope_x, b = slope_z](double x, double z) { return -1.5 + a * x + b * z; }, 120, 90);
     SplatOptions options = kAll;
     options.near_radius = 1;
     options.max_sample_count = 500;
     std::size_t count = 0;
-    for (const float value : view.draw(*pass_, options)) count += value != 0;
+    for (const float value : draw_splats(view, *pass_, options)) count += value != 0;
     EXPECT_EQ(count, 0u) << slope_x << ' ' << slope_z;
   }
 }
 
 TEST_F(SplatNear, IsTheSumOverAllPixelsOfTheDisc) {
-  const SplatView waves = view_of_waves();
+  const PixelView waves = view_of_waves();
   EXPECT_GT(expect_sums(waves, kAll), 5);
   for (const SphereFormula formula : {SphereFormula::exact, SphereFormula::printed}) {
     SplatOptions options = kAll;
@@ -120,7 +120,7 @@ TEST_F(SplatNear, IsTheSumOverAllPixelsOfTheDisc) {
 }
 
 TEST_F(SplatNear, OfFewSamplesIsRightOnAverage) {
-  const SplatView view = view_of_waves();
+  const PixelView view = view_of_waves();
   SplatOptions options = kAll;
   options.near_radius = 1;
   options.pixel_sphere_radius = 0.3f;  // so that no sum ends at 1
@@ -131,19 +131,19 @@ TEST_F(SplatNear, OfFewSamplesIsRightOnAverage) {
 }
 
 TEST_F(SplatNear, SamplesDifferFromPixelToPixelAndSeedToSeed) {
-  const SplatView view = view_of_waves();
+  const PixelView view = view_of_waves();
   SplatOptions options = kAll;
   options.max_sample_count = 12;
-  const std::vector<float> first = view.draw(*pass_, options);
-  EXPECT_EQ(view.draw(*pass_, options), first);
+  const std::vector<float> first = draw_splats(view, *pass_, options);
+  EXPECT_EQ(draw_splats(view, *pass_, options), first);
   options.seed = 1;
-  EXPECT_NE(view.draw(*pass_, options), first);
+  EXPECT_NE(draw_splats(view, *pass_, options), first);
 }
 
 // A curtain before the left half of a floor hides a wall that stands on the floor and ends where the curtain does.
 TEST_F(SplatNear, TwoLayersSeeWhatOneMisses) {
   const Camera camera = straight_camera();
-  std::vector<SplatPixel> front(std::size_t{kWidth} * kHeight), behind = front;
+  std::vector<SeenPixel> front(std::size_t{kWidth} * kHeight), behind = front;
   const glm::dvec3 up(0, 1, 0), right(1, 0, 0), towards(0, 0, 1);
   for (int y = 0; y < kHeight; ++y) {
     for (int x = 0; x < kWidth; ++x) {
@@ -154,15 +154,15 @@ TEST_F(SplatNear, TwoLayersSeeWhatOneMisses) {
       const glm::dvec3 ray = at(1);
       const bool is_left = x < kWidth / 2;
       if (ray.y >= 0) continue;
-      const SplatPixel floor{at(-1 / ray.y), up, up};
+      const SeenPixel floor{at(-1 / ray.y), up, up};
       if (!is_left) front[i] = floor;
       if (is_left) front[i] = {at(0.5), towards, towards};
       // The wall x = -0.1 from the floor up to half the height of the eye.
       const double wall = -0.1 / ray.x;
-      if (is_left) behind[i] = ray.y * wall > -1 && ray.y * wall < -0.5 ? SplatPixel{at(wall), right, right} : floor;
+      if (is_left) behind[i] = ray.y * wall > -1 && ray.y * wall < -0.5 ? SeenPixel{at(wall), right, right} : floor;
     }
   }
-  const SplatView view(camera, kWidth, kHeight, front), second(camera, kWidth, kHeight, behind);
+  const PixelView view(camera, kWidth, kHeight, front), second(camera, kWidth, kHeight, behind);
   EXPECT_EQ(expect_sums(view, kAll), 0);
   EXPECT_GT(expect_sums(view, kAll, &second), 0.1);
   // Nothing of it stays for the next frame.
@@ -191,13 +191,13 @@ TEST_F(SplatNear, AnyGBufferWillDo) {
 }
 
 TEST_F(SplatNear, ShadingNormalsDoNotDarkenWhatIsFlat) {
-  const SplatView flat = view_of_ground([](double, double) { return -1.2; }, kWidth, kHeight);
-  std::vector<SplatPixel> pixels = flat.pixels();
-  for (SplatPixel& pixel : pixels) {
+  const PixelView flat = view_of_ground([](double, double) { return -1.2; }, kWidth, kHeight);
+  std::vector<SeenPixel> pixels = flat.pixels();
+  for (SeenPixel& pixel : pixels) {
     if (pixel.is_there()) pixel.normal = glm::normalize(glm::dvec3(0.3, 1, -0.2));
   }
-  const SplatView shaded(flat.camera(), kWidth, kHeight, pixels);
-  for (const float value : shaded.draw(*pass_, kAll)) ASSERT_EQ(value, 0);
+  const PixelView shaded(flat.camera(), kWidth, kHeight, pixels);
+  for (const float value : draw_splats(shaded, *pass_, kAll)) ASSERT_EQ(value, 0);
 }
 
 }  // namespace

@@ -33,7 +33,7 @@ class Splats : public OnSoftware {
     if (IsSkipped()) return;
     pass_ = std::make_unique<SplatPass>();
     camera_ = room_camera(kWidth, kHeight);
-    view_ = std::make_unique<SplatView>(random_view(camera_, kWidth, kHeight, 12));
+    view_ = std::make_unique<PixelView>(random_view(camera_, kWidth, kHeight, 12));
     lut::RandomStream random(13);
     for (int i = 0; i < 40; ++i) {
       spheres_.emplace_back(lkao::tests::random_point(random, 3), 0.05f + 0.4f * lkao::tests::uniform(random, 0, 1));
@@ -46,7 +46,7 @@ class Splats : public OnSoftware {
   }
 
   Camera camera_;
-  std::unique_ptr<SplatView> view_;
+  std::unique_ptr<PixelView> view_;
   std::vector<glm::vec4> spheres_;
   std::unique_ptr<SplatPass> pass_;
 };
@@ -55,10 +55,10 @@ TEST_F(Splats, AddBothHalvesUpAndDivideSpheresBetweenThem) {
   for (const float far_radius : {std::numeric_limits<float>::infinity(), 2.0f}) {
     SplatOptions options = kBoth;
     options.far_radius = far_radius;
-    const std::vector<float> drawn = view_->draw(*pass_, options);
+    const std::vector<float> drawn = draw_splats(*view_, *pass_, options);
     std::size_t both_count = 0, wrong_count = 0;
     for (std::size_t i = 0; i < drawn.size(); ++i) {
-      const SplatPixel& pixel = view_->pixels()[i];
+      const SeenPixel& pixel = view_->pixels()[i];
       if (!pixel.is_there()) continue;
       const double near = expected_near(*view_, i, {view_.get()}, options);
       const double far = expected_far(pixel, spheres_, options);
@@ -75,14 +75,14 @@ TEST_F(Splats, AddBothHalvesUpAndDivideSpheresBetweenThem) {
 TEST_F(Splats, NothingJumpsWhereTheFarHalfBegins) {
   const glm::dvec3 up(0, 0, 1);
   const Camera camera{glm::mat4(1), glm::perspective(1.0f, 1.0f, 0.1f, 10.0f)};
-  const SplatView view(camera, 1, 1, {{{0, 0, -2}, up, up}});
+  const PixelView view(camera, 1, 1, {{{0, 0, -2}, up, up}});
   SplatOptions options = kBoth;
   for (const float near_radius : {0.5f, 0.01f}) {
     options.near_radius = near_radius;
     std::vector<float> drawn;
     for (int i = 0; i < 100; ++i) {
       pass_->set_spheres(std::vector<glm::vec4>{{0, 0, -1.99f + 0.01f * static_cast<float>(i), 0.2f}});
-      drawn.push_back(view.draw(*pass_, options)[0]);
+      drawn.push_back(draw_splats(view, *pass_, options)[0]);
     }
     const std::size_t begin = near_radius > 0.4f ? 28 : 18;  // where its far side is so far; where it has left
     EXPECT_EQ(drawn[begin], 0);
@@ -94,9 +94,9 @@ TEST_F(Splats, NothingJumpsWhereTheFarHalfBegins) {
 TEST_F(Splats, WriteEverySize) {
   for (const auto& [width, height] : {std::pair{1, 1}, {3, 1}, {17, 33}, {1023, 767}}) {
     const Camera camera = room_camera(width, height);
-    const SplatView view = random_view(camera, width, height, 2);
+    const PixelView view = random_view(camera, width, height, 2);
     SplatOptions options{.near_radius = 0.2f, .max_sample_count = 2};
-    const std::vector<float> drawn = view.draw(*pass_, options, &view, GL_R32F, 0.5f);
+    const std::vector<float> drawn = draw_splats(view, *pass_, options, &view, GL_R32F, 0.5f);
     std::size_t wrong_count = 0, blocked_count = 0;
     for (std::size_t i = 0; i < drawn.size(); ++i) {
       wrong_count += view.pixels()[i].is_there() ? !(drawn[i] >= 0 && drawn[i] <= 1) : drawn[i] != 0.5f;
@@ -110,7 +110,7 @@ TEST_F(Splats, WriteEverySize) {
 TEST_F(Splats, TakeEveryNthPixelAndPartsOfTextures) {
   // What spheres of the scene block of a receiver is the same however many pixels there are.
   const SplatOptions far_half{.near_half = false};
-  const std::vector<float> whole = view_->draw(*pass_, far_half, nullptr, GL_R32F, -1);
+  const std::vector<float> whole = draw_splats(*view_, *pass_, far_half, nullptr, GL_R32F, -1);
   for (const int step : {1, 2, 5}) {
     GBuffer textures = view_->g_buffer();
     textures.step = step;
@@ -130,37 +130,37 @@ TEST_F(Splats, TakeEveryNthPixelAndPartsOfTextures) {
 }
 
 TEST_F(Splats, WriteEveryFormat) {
-  const std::vector<float> exact = view_->draw(*pass_, kBoth);
+  const std::vector<float> exact = draw_splats(*view_, *pass_, kBoth);
   for (const int format : {GL_R8, GL_R16, GL_R16F}) {
-    const std::vector<float> drawn = view_->draw(*pass_, kBoth, nullptr, static_cast<GLenum>(format));
+    const std::vector<float> drawn = draw_splats(*view_, *pass_, kBoth, nullptr, static_cast<GLenum>(format));
     for (std::size_t i = 0; i < drawn.size(); ++i) ASSERT_NEAR(drawn[i], exact[i], 0.6 / 255);
   }
 }
 
 TEST_F(Splats, OfAnEmptySceneAreTheBackground) {
-  const SplatView empty(camera_, kWidth, kHeight, std::vector<SplatPixel>(view_->pixels().size()));
-  EXPECT_THAT(empty.draw(*pass_, kBoth, nullptr, GL_R32F, 0.25f), Each(0.25f));
+  const PixelView empty(camera_, kWidth, kHeight, std::vector<SeenPixel>(view_->pixels().size()));
+  EXPECT_THAT(draw_splats(empty, *pass_, kBoth, nullptr, GL_R32F, 0.25f), Each(0.25f));
   // Pixels that are nowhere, with a normal.
-  std::vector<SplatPixel> nowhere(view_->pixels().size());
-  for (SplatPixel& pixel : nowhere) {
+  std::vector<SeenPixel> nowhere(view_->pixels().size());
+  for (SeenPixel& pixel : nowhere) {
     pixel.position = glm::dvec3(std::numeric_limits<double>::quiet_NaN());
     pixel.normal = pixel.geometric_normal = {0, 1, 0};
   }
-  const SplatView lost(camera_, kWidth, kHeight, nowhere);
-  EXPECT_THAT(lost.draw(*pass_, kBoth, nullptr, GL_R32F, 0.25f), Each(0.25f));
+  const PixelView lost(camera_, kWidth, kHeight, nowhere);
+  EXPECT_THAT(draw_splats(lost, *pass_, kBoth, nullptr, GL_R32F, 0.25f), Each(0.25f));
   // Nor do such pixels of a second layer block.
-  EXPECT_EQ(view_->draw(*pass_, kBoth, &lost), view_->draw(*pass_, kBoth));
+  EXPECT_EQ(draw_splats(*view_, *pass_, kBoth, &lost), draw_splats(*view_, *pass_, kBoth));
 }
 
 TEST_F(Splats, WithoutSpheresAreTheNearHalfAlone) {
   SplatOptions near = kBoth;
   near.far_half = false;
-  const std::vector<float> expected = view_->draw(*pass_, near);
+  const std::vector<float> expected = draw_splats(*view_, *pass_, near);
   pass_->set_spheres({});
-  EXPECT_EQ(view_->draw(*pass_, kBoth), expected);
+  EXPECT_EQ(draw_splats(*view_, *pass_, kBoth), expected);
   SplatOptions none = kBoth;
   none.near_half = none.far_half = false;
-  EXPECT_THAT(view_->draw(*pass_, none), Each(0.0f));
+  EXPECT_THAT(draw_splats(*view_, *pass_, none), Each(0.0f));
 }
 
 TEST_F(Splats, NameWhatIsWrong) {
