@@ -30,6 +30,10 @@ CLI::Option* add_setting_option(CLI::App& app, Settings& settings, const Setting
       throw std::invalid_argument(fmt::format("--{}: {}", setting.name, error.what()));
     }
   };
+  if (setting.is_flag) {
+    return app.add_flag_callback(
+        "--" + setting.name, [store] { store("on"); }, setting.help);
+  }
   const std::string help = fmt::format("{} (default: {})", setting.help, setting.default_text);
   return app.add_option_function<std::string>("--" + setting.name, store, help)->type_name(setting.values_text());
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -30,6 +31,10 @@ std::string Setting::values_text() const {
   return fmt::format("{}..{}", range.least, range.most);
 }
 
+Setting flag_setting(std::string name, std::string help) {
+  return {std::move(name), std::move(help), std::vector<std::string>{"off", "on"}, "off", true};
+}
+
 void Settings::set(const Setting& setting, const std::string& text) {
   setting.check(text);
   chosen_[&setting] = text;
@@ -45,6 +50,8 @@ const std::string& Settings::text(const Setting& setting) const {
   const auto found = chosen_.find(&setting);
   return found == chosen_.end() ? setting.default_text : found->second;
 }
+
+bool Settings::flag(const Setting& setting) const { return text(setting) == "on"; }
 
 double Settings::number(const Setting& setting) const { return read_number<double>(text(setting)).value(); }
 

@@ -24,6 +24,7 @@ struct Setting {
   std::string help;                                      // one sentence without its full stop
   std::variant<std::vector<std::string>, Range> values;  // one of these words, or a number
   std::string default_text;
+  bool is_flag = false;  // of two words: to name it on a command line is to choose the second
 
   // Throws std::invalid_argument saying what was expected, where the text is none of the values.
   void check(const std::string& text) const;
@@ -38,6 +39,9 @@ Setting word_setting(std::string name, std::string help, const Word<Value> (&wor
   return {std::move(name), std::move(help), list_words(words), std::string(word_of(words, default_value))};
 }
 
+// One that is off unless it is named.
+Setting flag_setting(std::string name, std::string help);
+
 // What was chosen; everything else is at its default.
 class Settings {
  public:
@@ -50,6 +54,8 @@ class Settings {
   const std::string& text(const Setting& setting) const;
   // Of a setting with a range.
   double number(const Setting& setting) const;
+  // Of a flag.
+  bool flag(const Setting& setting) const;
   // Of a setting that was made of these words.
   template <class Value, std::size_t kCount>
   Value value(const Setting& setting, const Word<Value> (&words)[kCount]) const {
@@ -59,5 +65,10 @@ class Settings {
  private:
   std::map<const Setting*, std::string> chosen_;
 };
+
+// Of a setting with a range of whole numbers.
+inline int whole(const Settings& settings, const Setting& setting) {
+  return static_cast<int>(settings.number(setting));
+}
 
 }  // namespace lkao::method

@@ -222,10 +222,6 @@ class Splat : public Method {
   }
 
  private:
-  static int whole(const Settings& settings, const Setting& setting) {
-    return static_cast<int>(settings.number(setting));
-  }
-
   void set_radius(float radius, const scene::Mesh& mesh) {
     const double length = std::isinf(radius) ? kShareOfDiagonal * diagonal_of(mesh) : double{radius};
     options_.near_radius = static_cast<float>(halves_ == Halves::both ? near_share_ * length : length);
