@@ -140,7 +140,7 @@ TEST(HeadlessContext, HardwareIsAGpuOrOneLineThatSaysThereIsNone) {
 TEST_F(HeadlessContextOnSoftware, ConstructionKeepsTheCurrentContext) {
   MaskTarget target;
   target.clear({1, 2, 3, 4});
-  const HeadlessContext second(Device::software);
+  const HeadlessContext second(tests::tested_device());
   EXPECT_EQ(target.read().front(), (Pixel{1, 2, 3, 4}));
 }
 
@@ -150,7 +150,7 @@ TEST_F(HeadlessContextOnSoftware, ContextsAreIndependent) {
   glBindTexture(GL_TEXTURE_2D, texture);
   EXPECT_TRUE(glIsTexture(texture));
   {
-    HeadlessContext second(Device::software);
+    HeadlessContext second(tests::tested_device());
     second.make_current();
     EXPECT_FALSE(glIsTexture(texture)) << "the second context sees the first one's objects";
   }
