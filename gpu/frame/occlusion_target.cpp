@@ -32,6 +32,14 @@ void require_channel(const OcclusionTarget& target) {
   }
 }
 
+// Of each component of a texture of normalised numbers; 0 of others.
+glm::vec4 steps_to_one(ObjectName texture) {
+  glm::vec4 steps{0};
+  if (texture == 0 || !is_unorm(texture)) return steps;
+  for (int component = 0; component < 4; ++component) steps[component] = step_count(texture, component);
+  return steps;
+}
+
 }  // namespace
 
 void validate(const OcclusionTarget& target, int width, int height) {
@@ -60,6 +68,7 @@ void bind(const OcclusionTarget& target, const UniformBuffer<TargetBlock>& block
   values.keeps_others = target.texture != 0 && has_component(target.texture, 1);
   values.is_visibility = target.quantity == Quantity::visibility;
   values.background = target.background;
+  values.steps = steps_to_one(target.texture);
   block.set_and_bind(values);
   if (target.texture != 0) bind_image(LKAO_IMAGE_TARGET, target.texture);
   if (values.keeps_others != 0) glBindTextureUnit(LKAO_UNIT_TARGET, target.texture);

@@ -5,6 +5,7 @@
 #include "gpu/gl/block.h"
 
 LKAO_BLOCK_BEGIN(TargetBlock, LKAO_BLOCK_TARGET)
+vec4 steps;            // from 0 to 1, of each component; 0: they are floats
 int first_x, first_y;  // the texel of the picture's pixel (0, 0)
 int channel;
 int keeps_others;  // the other components of a texel

@@ -124,6 +124,11 @@ bool has_component(ObjectName texture, int i) {
   return level_parameter(texture, kTypes[i]) != GL_NONE;
 }
 
+float step_count(ObjectName texture, int component) {
+  constexpr GLenum kSizes[] = {GL_TEXTURE_RED_SIZE, GL_TEXTURE_GREEN_SIZE, GL_TEXTURE_BLUE_SIZE, GL_TEXTURE_ALPHA_SIZE};
+  return std::ldexp(1.0f, level_parameter(texture, kSizes[component])) - 1;
+}
+
 bool is_unorm(ObjectName texture) { return level_parameter(texture, GL_TEXTURE_RED_TYPE) == GL_UNSIGNED_NORMALIZED; }
 
 }  // namespace lkao::gl

@@ -42,6 +42,9 @@ Steps steps_of(ObjectName texture);
 // Component 0 is red, 3 alpha.
 bool has_component(ObjectName texture, int i);
 
+// Of normalised numbers: steps from 0 to 1; 0 where there is no such component.
+float step_count(ObjectName texture, int component);
+
 // Unsigned and normalised, so that shaders see 0 to 1.
 bool is_unorm(ObjectName texture);
 

@@ -100,7 +100,8 @@ TEST_F(Normals, OfAllFormatsTurnAsLittleAsTheyMay) {
       ++count;
     }
     EXPECT_GT(count, kWidth * kHeight / 2);
-    EXPECT_LT(largest, format.largest_angle);
+    // Where numbers are cut off in storing, not rounded: up to twice as much a component.
+    EXPECT_LT(largest, (context_->is_software() ? 1.0 : 2.5) * format.largest_angle);
     RecordProperty(format.name, fmt::format("at most {:.2g}, mean {:.2g} degrees", largest, sum / count));
   }
 }

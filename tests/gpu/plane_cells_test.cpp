@@ -83,7 +83,8 @@ TEST_F(PlaneCellsInGlsl, AreThoseOfTheCpuForAMillionPlanes) {
         const glm::vec3 normal(planes[i]);
         difference_count += cells[i] != glm::uvec2(table.cell(normal, planes[i].w), table.edge_cell(normal));
       }
-      EXPECT_EQ(difference_count, 0u);
+      // GLSL's division may be off by 2.5 units in the last place, and is on GPUs.
+      EXPECT_LE(difference_count, context_->is_software() ? 0u : 20u);
     }
   }
 }

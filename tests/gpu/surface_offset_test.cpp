@@ -130,7 +130,9 @@ TEST_F(SurfaceOffset, TakesAllReceiversOffTheirSurfaces) {
     EXPECT_GT(moved.lowest, 0);
     RecordProperty(kind.name, fmt::format("from {:.2g} to {:.2g}", plain.lowest, moved.highest));
     // Not much farther than what was found wrong, and than the grid of rasterisers that move corners by half of it.
-    EXPECT_LT(moved.highest, 8 * std::fmax(-plain.lowest, 16 * 0x1p-24 * 4) + kind.allowance);
+    // A GPU may be found less wrong than llvmpipe, and moves as far.
+    const double factor = context_->is_software() ? 8 : 16;
+    EXPECT_LT(moved.highest, factor * std::fmax(-plain.lowest, 16 * 0x1p-24 * 4) + kind.allowance);
   }
 }
 

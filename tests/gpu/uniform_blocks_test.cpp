@@ -62,6 +62,7 @@ TEST_F(UniformBlocks, AreLaidOutAlike) {
   LKAO_EXPECT_OFFSET(resolve, MaskPassBlock, jitter_tilt);
   LKAO_EXPECT_OFFSET(resolve, MaskPassBlock, writes_bent_normals);
   EXPECT_EQ(size_of(resolve, "TargetBlock"), static_cast<GLint>(sizeof(TargetBlock)));
+  LKAO_EXPECT_OFFSET(resolve, TargetBlock, steps);
   LKAO_EXPECT_OFFSET(resolve, TargetBlock, first_x);
   LKAO_EXPECT_OFFSET(resolve, TargetBlock, background);
 

@@ -35,6 +35,13 @@ class VolumesOnRoom : public InFurnishedRoom<kWidth, kHeight> {
   }
 
   Occluders occluders() const { return Occluders(mesh_.positions, mesh_.triangles); }
+
+  // Of the same terms. On GPUs their order, and with it the rounding of floats, differs from frame to frame.
+  void expect_equal_sums(const std::vector<float>& one, const std::vector<float>& other) const {
+    const float tolerance = context_->is_software() ? 0 : 1e-6f;
+    ASSERT_EQ(one.size(), other.size());
+    for (std::size_t i = 0; i < one.size(); ++i) EXPECT_NEAR(one[i], other[i], tolerance);
+  }
 };
 
 RayOptions options_of(float radius, bool is_two_sided) {
@@ -117,7 +124,7 @@ TEST_F(VolumesOnRoom, TakeNormalsAndGeometricNormals) {
   // And back to one horizon.
   const std::vector<float> one = draw(pass, occluders(), g_buffer_->by_positions(), camera_, options);
   VolumePass fresh({.accessibility = Accessibility::bits32});
-  EXPECT_EQ(one, draw(fresh, occluders(), g_buffer_->by_positions(), camera_, options));
+  expect_equal_sums(one, draw(fresh, occluders(), g_buffer_->by_positions(), camera_, options));
 }
 
 TEST_F(VolumesOnRoom, AreTheSameByAllBackEndsKeptOrNot) {
@@ -194,7 +201,7 @@ TEST_F(VolumesOnRoom, TakeOpacities) {
   occluders.set_opacities(opacities);
   for (const float value : drawn()) EXPECT_EQ(value, 0);
   occluders.set_opacities({});
-  EXPECT_EQ(drawn(), solid);
+  expect_equal_sums(drawn(), solid);
 }
 
 TEST_F(VolumesOnRoom, SaturateInEveryFormat) {
@@ -218,7 +225,8 @@ TEST_F(VolumesOnRoom, SaturateInEveryFormat) {
       EXPECT_NEAR(drawn[i], exact[i], 420 * step);
       mean += std::fabs(static_cast<double>(drawn[i] - exact[i])) / static_cast<double>(exact.size());
     }
-    EXPECT_LT(mean, 25 * step);
+    // Blending rounds, or on GPUs cuts off: half a step each time.
+    EXPECT_LT(mean, (context_->is_software() ? 25 : 100) * step);
   }
 }
 
