@@ -26,6 +26,8 @@ Command add_raster_command(CLI::App& program);
 Command add_volumes_command(CLI::App& program);
 // Spheres of pixels and of the scene against rays; where OpenGL is built.
 Command add_splats_command(CLI::App& program);
+// Methods in screen space against rays and against themselves; where OpenGL is built.
+Command add_screen_command(CLI::App& program);
 // Levels of detail, by every method that takes them.
 Command add_lod_command(CLI::App& program);
 // Baked values of vertices against occlusion all over the faces.

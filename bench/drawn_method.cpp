@@ -1,6 +1,7 @@
 #include "bench/drawn_method.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <stdexcept>
 
@@ -24,6 +25,34 @@ std::vector<float> cast_rays(const StudyScene& scene, float radius, const Fallof
   std::transform(sum.begin(), sum.end(), occlusion.begin(),
                  [turn_count](double value) { return static_cast<float>(value / turn_count); });
   return occlusion;
+}
+
+double mean_of(const std::vector<float>& occlusion) {
+  double sum = 0;
+  std::size_t count = 0;
+  for (const float value : occlusion) {
+    if (std::isnan(value)) continue;
+    sum += static_cast<double>(value);
+    ++count;
+  }
+  return count == 0 ? 0 : sum / static_cast<double>(count);
+}
+
+double best_factor(const std::vector<float>& occlusion, const std::vector<float>& rays) {
+  double product = 0, square = 0;
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    if (std::isnan(occlusion[i]) || std::isnan(rays[i])) continue;
+    const double value = occlusion[i];
+    product += value * static_cast<double>(rays[i]);
+    square += value * value;
+  }
+  return square > 0 ? product / square : 1;
+}
+
+double scaled_rmse(const std::vector<float>& occlusion, const std::vector<float>& rays, double factor) {
+  std::vector<float> scaled;
+  for (const float value : occlusion) scaled.push_back(static_cast<float>(factor * static_cast<double>(value)));
+  return method::deviation(scaled, rays, std::nullopt, 0).error.rmse;
 }
 
 method::Settings settings_of(std::string_view method, const ChangedSettings& changed, const method::Settings& others) {

@@ -18,6 +18,13 @@ namespace lkao::bench {
 // What every pixel of the view should be: `turn_count` times 1024 rays, by the query. NaN where there is no receiver.
 std::vector<float> cast_rays(const StudyScene& scene, float radius, const Falloff& falloff, int turn_count);
 
+// Of pixels with a receiver.
+double mean_of(const std::vector<float>& occlusion);
+// The factor of the occlusion that brings it nearest to the rays, by least squares, and its RMSE then: what an artist's
+// choice of an intensity could mend.
+double best_factor(const std::vector<float>& occlusion, const std::vector<float>& rays);
+double scaled_rmse(const std::vector<float>& occlusion, const std::vector<float>& rays, double factor);
+
 // Settings of a method that are not at their defaults: names and values.
 using ChangedSettings = std::vector<std::pair<std::string, std::string>>;
 // Throws std::invalid_argument where there is no such setting or value.

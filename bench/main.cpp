@@ -17,6 +17,7 @@ std::vector<Command> add_commands(CLI::App& program) {
     add_rays_command(program), add_spread_command(program), add_build_command(program),
 #if LKAO_BENCH_GL
         add_raster_command(program), add_volumes_command(program), add_splats_command(program),
+        add_screen_command(program),
 #endif
         add_lod_command(program), add_bake_command(program), add_tables_command(program), add_patterns_command(program),
   };

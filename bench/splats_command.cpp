@@ -1,6 +1,4 @@
 // lkao-bench splats: spheres of pixels and of the scene against rays. Shanmugam & Arikan 2007 show pictures alone.
-#include <cmath>
-#include <cstddef>
 #include <cstdio>
 #include <memory>
 #include <string>
@@ -73,18 +71,6 @@ struct SplatsOptions {
 
 double far_fragments(const nlohmann::ordered_json& keys) {
   return keys.contains("far") ? keys.at("far").at("fragments_per_pixel").get<double>() : 0;
-}
-
-// Of pixels with a receiver.
-double mean_of(const std::vector<float>& occlusion) {
-  double sum = 0;
-  std::size_t count = 0;
-  for (const float value : occlusion) {
-    if (std::isnan(value)) continue;
-    sum += static_cast<double>(value);
-    ++count;
-  }
-  return count == 0 ? 0 : sum / static_cast<double>(count);
 }
 
 class SplatsStudy {
