@@ -15,6 +15,7 @@
 // Or without rays, on the same occluders and G-buffer: lkao::gl::VolumePass.
 #pragma once
 
+#include "lkao/gl/alchemy_pass.h"
 #include "lkao/gl/bilateral_filter.h"
 #include "lkao/gl/context.h"
 #include "lkao/gl/frame.h"

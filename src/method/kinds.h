@@ -11,5 +11,6 @@ MethodKind embree_kind();
 MethodKind masks_kind();
 MethodKind volumes_kind();
 MethodKind splat_kind();
+MethodKind alchemy_kind();
 
 }  // namespace lkao::method

@@ -20,6 +20,7 @@ constexpr Word<MethodKind (*)()> kMethods[] = {
     {"raster", LKAO_GL_KIND(masks_kind)},
     {"volumes", LKAO_GL_KIND(volumes_kind)},
     {"splat", LKAO_GL_KIND(splat_kind)},
+    {"alchemy", LKAO_GL_KIND(alchemy_kind)},
 };
 constexpr std::size_t kTraversal = 0, kEmbree = 1;
 

@@ -28,6 +28,7 @@ endfunction()
 
 foreach(name IN ITEMS frame/check.comp mesh/classify.comp mesh/radius.comp mesh/transform.comp masks/receivers.comp
                       masks/cast.comp masks/resolve.comp
+                      screen/alchemy/obscurance.comp
                       screen/bilateral.comp screen/receivers.comp screen/splat/surfaces.comp screen/splat/near.comp
                       screen/splat/resolve.comp screen/upsample.comp volumes/extend.comp volumes/resolve.comp)
   validate(NAMES ${name})
