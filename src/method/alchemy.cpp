@@ -15,7 +15,6 @@ constexpr Word<gl::ObscuranceFalloff> kFalloffWords[] = {{"cut_off", gl::Obscura
                                                          {"medium", gl::ObscuranceFalloff::medium},
                                                          {"low", gl::ObscuranceFalloff::low}};
 constexpr Word<gl::DiscPattern> kPatternWords[] = {{"jittered", gl::DiscPattern::jittered},
-                                                   {"weighted", gl::DiscPattern::weighted},
                                                    {"spiral", gl::DiscPattern::spiral},
                                                    {"even_spiral", gl::DiscPattern::even_spiral}};
 constexpr int kMaxSamples = 16384, kMaxBands = 16;
@@ -95,8 +94,8 @@ const Setting& full_radius_setting() {
 const Setting& pattern_setting() {
   static const Setting setting =
       word_setting("alchemy-pattern",
-                   "Where samples lie: as often everywhere (jittered), mostly near by and weighted, on the successor's "
-                   "spiral, which counts what is near for more, or on one that does not (even_spiral)",
+                   "Where samples lie: as often everywhere (jittered), on the successor's spiral, where what is near "
+                   "counts for more, or on one where it does not (even_spiral)",
                    kPatternWords, gl::DiscPattern::jittered);
   return setting;
 }

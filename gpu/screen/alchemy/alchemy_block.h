@@ -6,9 +6,8 @@
 
 // DiscPattern.
 #define LKAO_PATTERN_JITTERED 0
-#define LKAO_PATTERN_WEIGHTED 1
-#define LKAO_PATTERN_SPIRAL 2
-#define LKAO_PATTERN_EVEN_SPIRAL 3
+#define LKAO_PATTERN_SPIRAL 1
+#define LKAO_PATTERN_EVEN_SPIRAL 2
 
 // ObscuranceFalloff.
 #define LKAO_FALLOFF_CUT_OFF 0

@@ -21,7 +21,6 @@ namespace lkao::gl {
 namespace {
 
 static_assert(static_cast<int>(DiscPattern::jittered) == LKAO_PATTERN_JITTERED &&
-              static_cast<int>(DiscPattern::weighted) == LKAO_PATTERN_WEIGHTED &&
               static_cast<int>(DiscPattern::spiral) == LKAO_PATTERN_SPIRAL &&
               static_cast<int>(DiscPattern::even_spiral) == LKAO_PATTERN_EVEN_SPIRAL);
 static_assert(static_cast<int>(ObscuranceFalloff::cut_off) == LKAO_FALLOFF_CUT_OFF &&

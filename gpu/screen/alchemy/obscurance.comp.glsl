@@ -77,10 +77,9 @@ float visibility(Receiver receiver) {
   vec2 middle = vec2(receiver.pixel) + 0.5, size = vec2(view.width, view.height);
   float sum = 0.0;
   for (int i = 0; i < count; ++i) {
-    DiscPlace place = disc_place(i, count, random);
-    vec2 at = middle + receiver.disc * place.at;
+    vec2 at = middle + receiver.disc * sample_place(i, count, random);
     if (any(lessThan(at, vec2(0))) || any(greaterThanEqual(at, size))) continue;
-    sum += place.weight * obscurance_by(receiver, ivec2(at));
+    sum += obscurance_by(receiver, ivec2(at));
   }
   return pow(max(1.0 - 2.0 * pass.intensity / float(count) * sum, 0.0), pass.contrast);
 }

@@ -16,15 +16,13 @@
 
 namespace lkao::gl {
 
-// Where the samples of a receiver lie: in a disc of the AO radius around it, parallel to the picture. What they find is
-// averaged as it is, so that a density which is not even changes what the method computes, unless weights say
-// otherwise.
+// Where the samples of a receiver lie: in a disc of the AO radius around it, parallel to the picture. All count the
+// same.
 enum class DiscPattern {
-  jittered,     // as often everywhere, each pixel other ones: Alchemy's
-  weighted,     // most of them near the receiver, as 1 / distance; weighted, so that the mean is that of `jittered`
-  spiral,       // the successor's, turned at random in each pixel: as many at each distance, so that what is near
-                // counts for more
-  even_spiral,  // the same spiral, as often everywhere
+  jittered,     // as often everywhere, other places in each pixel: Alchemy's
+  spiral,       // the successor's, turned at random in each pixel: their distance grows with their number, so that they
+                // lie densest in the middle, as 1 / distance, and what is near counts for more than in Eq. 10
+  even_spiral,  // the same spiral, as often everywhere: their distance grows as the root of their number
 };
 
 // How obscurance falls with the distance. Of an occluder at x radii, whose height over the receiver's plane is h radii:
