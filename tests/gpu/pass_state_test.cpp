@@ -327,6 +327,29 @@ TEST_F(PassState, OfBlendingIsPutBack) {
   EXPECT_THAT(changes_since(before), IsEmpty());
 }
 
+TEST_F(PassState, OfAlchemyIsPutBackAndDoesNotMatter) {
+  const Camera camera = room_camera(kWidth, kHeight);
+  const GBufferPass g_buffer(furnished_room(), camera, kWidth, kHeight);
+  const Texture occlusion = make_image(GL_R32F, kWidth, kHeight);
+  const AlchemyOptions options{.radius = 0.5f};
+  AlchemyPass().draw(g_buffer.by_depth(), camera, options, {occlusion.name()});
+  const std::vector<glm::vec4> expected = read_image(occlusion.name(), kWidth, kHeight);
+  for (const bool keeps : {true, false}) {
+    const OddState odd;
+    const Snapshot before = take_snapshot();
+    AlchemyPass pass({.keep_state = keeps});
+    EXPECT_THAT(changes_since(before), IsEmpty()) << "after it was made";
+    pass.draw(g_buffer.by_depth(), camera, options, {occlusion.name()});
+    EXPECT_EQ(changes_since(before).empty(), keeps) << "after draw";
+    EXPECT_THROW(pass.draw(g_buffer.by_depth(), {camera.view, glm::mat4(0)}, options, {occlusion.name()}),
+                 std::invalid_argument);
+    EXPECT_EQ(changes_since(before).empty(), keeps) << "after an exception";
+    glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
+    for (const PixelStore& parameter : kKeptPixelStore) glPixelStorei(parameter.name, parameter.tight);
+    EXPECT_EQ(read_image(occlusion.name(), kWidth, kHeight), expected);
+  }
+}
+
 TEST_F(PassState, MayHaveAProgramThatWasDeletedWhileInUse) {
   const Mesh mesh = furnished_room();
   const Camera camera = room_camera(kWidth, kHeight);

@@ -10,6 +10,7 @@
 #include "gpu/masks/mask_pass_block.h"
 #include "gpu/mesh/shapes_block.h"
 #include "gpu/on_software.h"
+#include "gpu/screen/alchemy/alchemy_block.h"
 #include "gpu/screen/filter_block.h"
 #include "gpu/screen/splat/splat_block.h"
 #include "gpu/volumes/volume_pass_block.h"
@@ -78,6 +79,11 @@ TEST_F(UniformBlocks, AreLaidOutAlike) {
   EXPECT_EQ(size_of(splats, "SplatBlock"), static_cast<GLint>(sizeof(SplatBlock)));
   LKAO_EXPECT_OFFSET(splats, SplatBlock, near_radius);
   LKAO_EXPECT_OFFSET(splats, SplatBlock, scale);
+
+  const ProgramObject alchemy = make_program({"screen/alchemy/obscurance.comp"});
+  EXPECT_EQ(size_of(alchemy, "AlchemyBlock"), static_cast<GLint>(sizeof(AlchemyBlock)));
+  LKAO_EXPECT_OFFSET(alchemy, AlchemyBlock, contrast);
+  LKAO_EXPECT_OFFSET(alchemy, AlchemyBlock, seed);
 
   const ProgramObject filter = make_program({"screen/bilateral.comp"});
   EXPECT_EQ(size_of(filter, "FilterBlock"), static_cast<GLint>(sizeof(FilterBlock)));
