@@ -87,7 +87,7 @@ const Setting& full_radius_setting() {
   static const Setting setting{.name = "alchemy-full-radius",
                                .help = "Pixels that the AO radius is long on the screen where all bands are taken",
                                .values = Range{0, 1e6},
-                               .default_text = "64"};
+                               .default_text = "32"};
   return setting;
 }
 

@@ -61,7 +61,7 @@ struct AlchemyOptions {
   // most 16384 samples in all.
   int samples_per_band = 4;
   int max_band_count = 3;
-  float full_radius = 64;
+  float full_radius = 32;
   DiscPattern pattern = DiscPattern::jittered;
   // Of spirals: turns from the first sample to the last; above 0, finite. The successor's 7 are for 9 samples. Many
   // samples are spread best by 0.382 turns for each (the golden angle).
