@@ -17,7 +17,7 @@ constexpr Word<gl::ObscuranceFalloff> kFalloffWords[] = {{"cut_off", gl::Obscura
 constexpr Word<gl::DiscPattern> kPatternWords[] = {{"jittered", gl::DiscPattern::jittered},
                                                    {"spiral", gl::DiscPattern::spiral},
                                                    {"even_spiral", gl::DiscPattern::even_spiral}};
-constexpr int kMaxSamples = 16384, kMaxBands = 16;
+constexpr int kMaxBands = 16;
 constexpr int kConvergedSamples = 8192;
 // Turns of a spiral for each sample that spread them best: the golden angle.
 const double kGoldenTurn = (3 - std::sqrt(5.0)) / 2;

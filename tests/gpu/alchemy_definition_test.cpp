@@ -121,8 +121,10 @@ TEST_F(AlchemyOfPixels, IsSoForEveryCamera) {
 }
 
 TEST_F(AlchemyOfPixels, IsSoOfEveryNthPixel) {
-  const PixelView view = random_view(skewed_camera(), 2 * kWidth + 1, 2 * kHeight - 1, 10);
-  for (const int step : {2, 3}) expect_definition(view, {.radius = 2, .intensity = 1}, step);
+  for (const Camera& camera : {skewed_camera(), parallel_camera()}) {
+    const PixelView view = random_view(camera, 2 * kWidth + 1, 2 * kHeight - 1, 10);
+    for (const int step : {2, 3}) expect_definition(view, {.radius = 2, .intensity = 1, .bias = 0.05f}, step);
+  }
 }
 
 // The mean over seeds, where nothing ends at 0: no pixel may be farther off than its own spread lets it.
