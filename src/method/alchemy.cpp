@@ -18,7 +18,7 @@ constexpr Word<gl::DiscPattern> kPatternWords[] = {{"jittered", gl::DiscPattern:
                                                    {"spiral", gl::DiscPattern::spiral},
                                                    {"even_spiral", gl::DiscPattern::even_spiral}};
 constexpr int kMaxBands = 16;
-constexpr int kConvergedSamples = 8192;
+constexpr int kConvergedSamples = 4096;
 // Turns of a spiral for each sample that spread them best: the golden angle.
 const double kGoldenTurn = (3 - std::sqrt(5.0)) / 2;
 

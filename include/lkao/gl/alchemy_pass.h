@@ -39,14 +39,14 @@ enum class ObscuranceFalloff {
 struct AlchemyOptions {
   // AO radius r, in the unit of the positions; from 1e-18 to 1e18. Nothing farther off obscures.
   float radius = 0;
-  // How dark: sigma, a length. The paper's images have 1 m where the radius is 0.5 m. At least 0, finite.
+  // How dark: sigma, a length. The paper's images have 1 m where the radius is 0.5 m. From 0 to 1e18.
   //
-  // Obscurance is no share of blocked rays, and has no right intensity. Near to rays is a quarter or a third of the
-  // paper's; gpu/README.md has measured it.
+  // Obscurance is no share of blocked rays, and has no right intensity. Nearest to rays is 0.3 to 1, and some 0.8 in
+  // rooms; gpu/README.md has measured it.
   float intensity = 2;
   // What is lower than that over the receiver's plane does not obscure: beta, a share of the distance along the view
   // (the errors of depths and normals grow with it). Of a parallel camera, whose distances mean nothing, a share of
-  // half the longer side of what it sees. At least 0, finite.
+  // half the longer side of what it sees. From 0 to 1e18.
   float bias = 1e-4f;
   // Keeps what touches the receiver from counting without end: in squared radii, from 1e-12 to 1e12. The paper's 1e-4
   // m^2 of a radius of 0.5 m.
@@ -55,10 +55,10 @@ struct AlchemyOptions {
   float contrast = 1;
   ObscuranceFalloff falloff = ObscuranceFalloff::cut_off;
 
-  // A receiver takes so many samples for each of its bands (at least 1): all bands where the disc's radius on the
-  // screen is full_radius pixels or more, one band less where it is less than that, two where it is less than half of
-  // it, and so on, but at least one (Figure 5, Table 1). max_band_count is from 1 to 16, full_radius at least 0; at
-  // most 16384 samples in all.
+  // Samples of each band of a receiver, at least 1. It takes all bands where the disc's radius on the screen is
+  // full_radius pixels or more, one less where it is less than that, two less where it is less than half of it, and so
+  // on, but at least one (Figure 5, Table 1). max_band_count: 1 to 16; full_radius: at least 0; in all at most 16384
+  // samples.
   int samples_per_band = 4;
   int max_band_count = 3;
   float full_radius = 32;
