@@ -13,7 +13,6 @@
 #include "gpu/alchemy_definition.h"
 #include "gpu/on_software.h"
 #include "support/meshes.h"
-#include "support/sanitized.h"
 
 namespace lkao::gl::tests {
 namespace {
@@ -28,11 +27,8 @@ constexpr double kPixel = 0.025;  // how wide, of cameras without perspective
 constexpr int kMargin = 25;       // pixels at the edges whose disc ends beyond them
 
 // The radius is 24 pixels.
-constexpr AlchemyOptions kOptions{.radius = 0.6f,
-                                  .intensity = 0.4f,
-                                  .bias = 1e-6f,
-                                  .samples_per_band = lkao::tests::kIsSanitized ? 512 : 4096,
-                                  .max_band_count = 1};
+constexpr AlchemyOptions kOptions{
+    .radius = 0.6f, .intensity = 0.4f, .bias = 1e-6f, .samples_per_band = 4096, .max_band_count = 1};
 
 // Looks at a point from a direction.
 Camera parallel_camera(const glm::dvec3& from, const glm::dvec3& target, const glm::dvec3& up = {0, 1, 0}) {

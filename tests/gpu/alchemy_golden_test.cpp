@@ -15,7 +15,6 @@
 #include "gpu/alchemy_definition.h"
 #include "gpu/on_software.h"
 #include "image/image.h"
-#include "support/sanitized.h"
 
 namespace lkao::gl::tests {
 namespace {
@@ -77,9 +76,9 @@ TEST_F(AlchemyGolden, IsItsDefinition) {
 TEST_F(AlchemyGolden, IsDrawn) {
   const PixelView view = ground();
   AlchemyOptions many = kOptions;
-  many.samples_per_band = lkao::tests::kIsSanitized ? 1024 : 8192;
+  many.samples_per_band = 8192;
   many.max_band_count = 1;
-  expect_golden(draw(view, many), 2, lkao::tests::kIsSanitized ? 0.1 : 0.02, 12);
+  expect_golden(draw(view, many), 2, 0.02, 12);
   // As many samples as by default.
   expect_golden(draw(view, kOptions), 40, 0.15, 255);
 }
