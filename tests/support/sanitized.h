@@ -5,7 +5,7 @@
 namespace lkao::tests {
 
 #if defined(__SANITIZE_ADDRESS__)
-inline constexpr bool kIsSanitized = false;
+inline constexpr bool kIsSanitized = true;
 #elif defined(__clang__)
 inline constexpr bool kIsSanitized = __has_feature(address_sanitizer);
 #else
