@@ -44,6 +44,7 @@ void validate(const GBuffer& g_buffer) {
   if (g_buffer.geometric_normals != 0) {
     require("geometric_normals", g_buffer.geometric_normals, normal_size, Use::normal);
   }
+  if (g_buffer.colours != 0) require("colours", g_buffer.colours, 3, Use::value);
   if (g_buffer.normal_encoding == NormalEncoding::xy && g_buffer.normal_space != NormalSpace::view) {
     throw std::invalid_argument("normal_encoding xy needs normals in view space: set normal_space");
   }

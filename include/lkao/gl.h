@@ -23,4 +23,5 @@
 #include "lkao/gl/occluders.h"
 #include "lkao/gl/splat_pass.h"
 #include "lkao/gl/status.h"
+#include "lkao/gl/vao_pass.h"
 #include "lkao/gl/volume_pass.h"

@@ -12,5 +12,6 @@ MethodKind masks_kind();
 MethodKind volumes_kind();
 MethodKind splat_kind();
 MethodKind alchemy_kind();
+MethodKind vao_kind();
 
 }  // namespace lkao::method

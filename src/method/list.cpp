@@ -21,6 +21,7 @@ constexpr Word<MethodKind (*)()> kMethods[] = {
     {"volumes", LKAO_GL_KIND(volumes_kind)},
     {"splat", LKAO_GL_KIND(splat_kind)},
     {"alchemy", LKAO_GL_KIND(alchemy_kind)},
+    {"vao", LKAO_GL_KIND(vao_kind)},
 };
 constexpr std::size_t kTraversal = 0, kEmbree = 1;
 

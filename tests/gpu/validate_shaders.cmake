@@ -38,6 +38,11 @@ validate(NAMES frame/screen.vert masks/fill.frag)
 validate(NAMES frame/screen.vert volumes/receivers.frag)
 validate(NAMES screen/splat/far.vert screen/splat/far.frag)
 
+foreach(count IN ITEMS 0 1)
+  validate(NAMES screen/vao/tiles.comp DEFINES -DLKAO_COUNT=${count})
+  validate(NAMES screen/vao/vao.comp DEFINES -DLKAO_COUNT=${count})
+endforeach()
+
 foreach(shape IN ITEMS "mesh/prism.vert" "mesh/billboard.vert" "mesh/point.vert;mesh/prism.geom"
                        "mesh/point.vert;mesh/billboard.geom")
   validate(NAMES ${shape} mesh/coverage.frag)

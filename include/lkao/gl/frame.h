@@ -70,6 +70,9 @@ struct GBuffer {
   ObjectName geometric_normals = 0;
   NormalSpace normal_space = NormalSpace::world;
   NormalEncoding normal_encoding = NormalEncoding::xyz;
+  // What VaoPass may ask for, and nobody else: the linear red, green and blue of the surfaces, or of what the eye sees
+  // of them, 0 and more. Any format of floats or normalised numbers; shaders see sRGB decoded. 0: there are none.
+  ObjectName colours = 0;
   // Given: all textures are larger than width x height, or as large, and this is the part that the camera sees.
   std::optional<Part> part = {};
   // 2 is half resolution, 4 a quarter: passes answer one pixel of each step x step, (step i, step j), and make pictures
