@@ -417,5 +417,46 @@ TEST_F(PassState, OfSplatsIsPutBackAndDoesNotMatter) {
   EXPECT_EQ(read(), expected);
 }
 
+TEST_F(PassState, OfVaoIsPutBackAndDoesNotMatter) {
+  const Mesh mesh = furnished_room();
+  const Camera camera = room_camera(kWidth, kHeight);
+  const GBufferPass g_buffer(mesh, camera, kWidth, kHeight);
+  const Texture occlusion = make_image(GL_R32F, kWidth, kHeight), bleeding = make_image(GL_RGBA16F, kWidth, kHeight);
+  GBuffer textures = g_buffer.by_depth();
+  textures.colours = g_buffer.normals();
+  const VaoOptions options{.radius = 0.5f, .luminance = LuminanceSensitivity{}};
+  const BleedingTarget colours{bleeding.name()};
+  const auto read = [&] {
+    glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
+    for (const PixelStore& parameter : kKeptPixelStore) glPixelStorei(parameter.name, parameter.tight);
+    std::vector<glm::vec4> texels = read_image(occlusion.name(), kWidth, kHeight);
+    const std::vector<glm::vec4> bled = read_image(bleeding.name(), kWidth, kHeight);
+    texels.insert(texels.end(), bled.begin(), bled.end());
+    return texels;
+  };
+  VaoPass().draw(textures, camera, options, {occlusion.name()}, &colours);
+  const std::vector<glm::vec4> expected = read();
+  for (const bool counts : {false, true}) {
+    const OddState odd;
+    const Snapshot before = take_snapshot();
+    VaoPass pass({.count = counts});
+    EXPECT_THAT(changes_since(before), IsEmpty()) << "after it is made";
+    pass.draw(textures, camera, options, {occlusion.name()}, &colours);
+    EXPECT_THAT(changes_since(before), IsEmpty()) << "after draw";
+    if (counts) {
+      EXPECT_GT(pass.read_counts().samples, 0u);
+    }
+    EXPECT_THAT(changes_since(before), IsEmpty()) << "after reading";
+    EXPECT_THROW(pass.draw(textures, {camera.view, glm::mat4(0)}, options, {occlusion.name()}), std::invalid_argument);
+    EXPECT_THAT(changes_since(before), IsEmpty()) << "after an exception";
+    EXPECT_EQ(read(), expected);
+  }
+  const OddState odd;
+  const Snapshot before = take_snapshot();
+  VaoPass({.keep_state = false}).draw(textures, camera, options, {occlusion.name()}, &colours);
+  EXPECT_THAT(changes_since(before), Not(IsEmpty()));
+  EXPECT_EQ(read(), expected);
+}
+
 }  // namespace
 }  // namespace lkao::gl::tests

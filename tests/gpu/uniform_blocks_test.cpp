@@ -13,6 +13,7 @@
 #include "gpu/screen/alchemy/alchemy_block.h"
 #include "gpu/screen/filter_block.h"
 #include "gpu/screen/splat/splat_block.h"
+#include "gpu/screen/vao/vao_block.h"
 #include "gpu/volumes/volume_pass_block.h"
 
 namespace lkao::gl::tests {
@@ -84,6 +85,12 @@ TEST_F(UniformBlocks, AreLaidOutAlike) {
   EXPECT_EQ(size_of(alchemy, "AlchemyBlock"), static_cast<GLint>(sizeof(AlchemyBlock)));
   LKAO_EXPECT_OFFSET(alchemy, AlchemyBlock, contrast);
   LKAO_EXPECT_OFFSET(alchemy, AlchemyBlock, seed);
+
+  const ProgramObject vao = make_program({"screen/vao/vao.comp"}, {{"LKAO_COUNT", 0}});
+  EXPECT_EQ(size_of(vao, "VaoBlock"), static_cast<GLint>(sizeof(VaoBlock)));
+  LKAO_EXPECT_OFFSET(vao, VaoBlock, line_first);
+  LKAO_EXPECT_OFFSET(vao, VaoBlock, ball_radius);
+  LKAO_EXPECT_OFFSET(vao, VaoBlock, bleeding_y);
 
   const ProgramObject filter = make_program({"screen/bilateral.comp"});
   EXPECT_EQ(size_of(filter, "FilterBlock"), static_cast<GLint>(sizeof(FilterBlock)));

@@ -1,7 +1,7 @@
 // The ball on the surface, and how much of its lines of view is free.
 //
-// Based on: J. Boksansky, A. Pospisil, J. Bittner, "VAO++: Practical Volumetric Ambient Occlusion for Games", EGSR 2017,
-// Sec. 3 and 4.4.
+// Based on: J. Boksansky, A. Pospisil, J. Bittner, "VAO++: Practical Volumetric Ambient Occlusion for Games",
+// EGSR 2017, Sec. 3 and 4.4.
 // Differs from the paper:
 // - A sample is the line of view through the middle of the pixel that it lies in, not the line through the sample: so
 //   the depth is known on the very line, and a plane stays open at any angle, to rounding.
@@ -90,7 +90,7 @@ struct Samples {
   uvec2 start;  // of a sequence
 };
 
-// Sec. 4.5: the pixels of 3 x 3 turn a set by a ninth each.
+// EGSR 2017, Sec. 4.5: the pixels of 3 x 3 turn a set by a ninth each.
 Samples set_samples(ivec2 pixel, int count) {
   float angle = float(pixel.x % 3 + 3 * (pixel.y % 3)) * (6.28318531 / 9.0);
   return Samples(count, false, mat2(cos(angle), sin(angle), -sin(angle), cos(angle)), uvec2(0));

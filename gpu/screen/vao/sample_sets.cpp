@@ -1,8 +1,8 @@
-// Based on: J. Boksansky, A. Pospisil, J. Bittner, "VAO++: Practical Volumetric Ambient Occlusion for Games", EGSR
-// 2017, Sec. 4.5. Differs from the paper:
-// - The spacing is the largest of a falling row for which random darts fill the set; the paper does not say how it
-// finds
-//   its own.
+// Based on: J. Boksansky, A. Pospisil, J. Bittner, "VAO++: Practical Volumetric Ambient Occlusion for Games",
+// EGSR 2017, Sec. 4.5.
+// Differs from the paper:
+// - The spacing is the largest of a falling row for which random darts fill the set; how the paper finds its own is not
+//   said.
 // - Places keep a third of the spacing from the edge. Without this, sets of few places lie mostly on the edge, where
 //   pipes are short (mean pipe of 4 places: 0.51; of all places of the disc, and nearly of these sets: 2/3).
 // - How single places are turned is found by climbing from many starts and for all places at once. The paper tries all

@@ -1,8 +1,8 @@
 #version 450 core
 // The culling pre-pass: the occlusion of one pixel of each tile, by few samples.
 //
-// Based on: J. Boksansky, A. Pospisil, J. Bittner, "VAO++: Practical Volumetric Ambient Occlusion for Games", EGSR 2017,
-// Sec. 4.2.
+// Based on: J. Boksansky, A. Pospisil, J. Bittner, "VAO++: Practical Volumetric Ambient Occlusion for Games",
+// EGSR 2017, Sec. 4.2.
 #include "gpu/screen/vao/line_samples.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;

@@ -1,8 +1,8 @@
 #version 450 core
 // The occlusion of every pixel, and the colours of light that near surfaces send on.
 //
-// Based on: J. Boksansky, A. Pospisil, J. Bittner, "VAO++: Practical Volumetric Ambient Occlusion for Games", EGSR 2017,
-// Sec. 4.
+// Based on: J. Boksansky, A. Pospisil, J. Bittner, "VAO++: Practical Volumetric Ambient Occlusion for Games",
+// EGSR 2017, Sec. 4.
 // Differs from the paper:
 // - Tiles are culled whole, where they and all eight around show nothing in the way: what the paper's four interpolated
 //   fetches look at, or more, and the same for all pixels of a group.
@@ -34,7 +34,7 @@ bool is_tile_culled(ivec2 tile) {
   return true;
 }
 
-// Sec. 4.1: 2 samples where the ball is as wide as is said, twice as many where its area is twice as large.
+// EGSR 2017, Sec. 4.1: 2 samples where the ball is as wide as is said, twice as many where its area is twice as large.
 int set_size(Ball ball) {
   if (pass.fewest_samples_width == 0.0) return pass.largest_size;
   float width = 2.0 * ball.radius / (pixel_width(ball.centre) * float(min(view.width, view.height)));

@@ -1,5 +1,5 @@
-// Based on: J. Boksansky, A. Pospisil, J. Bittner, "VAO++: Practical Volumetric Ambient Occlusion for Games", EGSR
-// 2017.
+// Based on: J. Boksansky, A. Pospisil, J. Bittner, "VAO++: Practical Volumetric Ambient Occlusion for Games",
+// EGSR 2017.
 #include "lkao/gl/vao_pass.h"
 
 #include <epoxy/gl.h>
@@ -7,8 +7,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <iterator>
+#include <memory>
 #include <stdexcept>
+#include <type_traits>
 
 #include <glm/matrix.hpp>
 #include <glm/vec2.hpp>
