@@ -38,8 +38,8 @@ struct LuminanceSensitivity {
 };
 
 struct VaoOptions {
-  // AO radius, in the unit of the positions: the width of the ball, which touches the surface in the receiver. Nothing
-  // farther away blocks. Above 0, at most 1e18.
+  // AO radius, in the unit of the positions: the width of the ball, which touches the surface in the receiver: no
+  // point of it is farther away. Above 0, at most 1e18.
   float radius = 0;
 
   // Line samples a pixel. 2, 4, 8, 16 or 32: sets whose places 3 x 3 pixels share among them, in each turned by another
@@ -50,7 +50,7 @@ struct VaoOptions {
   // Of sets: what is far away takes smaller ones. A ball whose width on the screen is this share of the picture's
   // shorter side takes 2 samples, one of twice the area 4, and so on up to `sample_count`. At least 0; 0: all take
   // `sample_count`.
-  float fewest_samples_width = 0.05f;
+  float fewest_samples_width = 0.02f;
 
   VaoCulling culling = VaoCulling::careful;
 
@@ -116,7 +116,7 @@ class LKAO_API VaoPass {
   // that comes by the surfaces around (Eq. 5): needs GBuffer::colours; culled pixels are white under
   // VaoCulling::greedy. Throws std::invalid_argument where a texture, the camera or an option is not what it should be.
   //
-  // Costs a read of 16 bytes for each sample, and one of a colour where colours bleed.
+  // Costs a read of 16 bytes for each sample; twice that, and a colour, where colours bleed.
   void draw(const GBuffer& g_buffer, const Camera& camera, const VaoOptions& options, const OcclusionTarget& to,
             const BleedingTarget* bleeding = nullptr);
 
