@@ -79,12 +79,12 @@ class Vao : public ScreenMethod {
     const double receivers = counts.receivers > 0 ? static_cast<double>(counts.receivers) : 1;
     const double culled = static_cast<double>(counts.culled) / receivers;
     const double samples = static_cast<double>(counts.samples) / receivers;
+    remarks.keys["culled_share"] = culled;
     remarks.keys["vao"] = {{"ball_width", options_.radius},
                            {"samples", options_.sample_count},
                            {"fewest_width", options_.fewest_samples_width},
                            {"culling", word_of(kCullingWords, options_.culling)},
                            {"thickness", options_.thickness},
-                           {"culled_share", culled},
                            {"samples_per_pixel", samples}};
     remarks.rows.emplace_back(
         "line samples", fmt::format("{:.1f} a pixel, at most {}; culling {}: {:.1f}% of the pixels", samples,

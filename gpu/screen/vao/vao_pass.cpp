@@ -224,6 +224,7 @@ void VaoPass::State::bind_colours(const GBuffer& g_buffer, const BleedingTarget*
 VaoPass::VaoPass(const VaoPassSetup& setup) {
   require_clean_context(setup.host_errors);
   state_ = std::make_unique<State>(setup);
+  sample_sets();  // now, so that no frame waits for them
   check_errors("making a VaoPass");
 }
 
