@@ -48,7 +48,6 @@ TEST_F(VaoRender, EverySettingChangesThePicture) {
                                 {"--vao-culling", "greedy"},
                                 {"--vao-thickness", "0"},
                                 {"--vao-width", "2"},
-                                {"--filter", "0"},
                                 {"--step", "2"},
                                 {"--guard-band", "8"}}) {
     SCOPED_TRACE(testing::PrintToString(more));
