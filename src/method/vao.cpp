@@ -1,4 +1,7 @@
 // Volumetric ambient occlusion in screen space, by OpenGL (Boksansky et al., EGSR 2017).
+#include <cstdint>
+#include <memory>
+
 #include <fmt/format.h>
 
 #include "method/kinds.h"
