@@ -12,7 +12,8 @@
 //               {view, projection}, {.radius = 2.0f});
 //     pass.resolve({.occlusion = {r8_texture}});
 //
-// Or without rays, on the same occluders and G-buffer: lkao::gl::VolumePass.
+// Or without rays, on the same occluders and G-buffer: lkao::gl::VolumePass. On the G-buffer alone, as screens show it:
+// HorizonPass, VaoPass, AlchemyPass; with spheres that stand for the scene: SplatPass.
 #pragma once
 
 #include "lkao/gl/alchemy_pass.h"
