@@ -20,6 +20,7 @@
 #include "lkao/gl/bilateral_filter.h"
 #include "lkao/gl/context.h"
 #include "lkao/gl/frame.h"
+#include "lkao/gl/horizon_pass.h"
 #include "lkao/gl/mask_pass.h"
 #include "lkao/gl/occluders.h"
 #include "lkao/gl/splat_pass.h"
