@@ -13,5 +13,7 @@ MethodKind volumes_kind();
 MethodKind splat_kind();
 MethodKind alchemy_kind();
 MethodKind vao_kind();
+MethodKind gtao_kind();
+MethodKind vbao_kind();
 
 }  // namespace lkao::method

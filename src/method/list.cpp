@@ -22,6 +22,8 @@ constexpr Word<MethodKind (*)()> kMethods[] = {
     {"splat", LKAO_GL_KIND(splat_kind)},
     {"alchemy", LKAO_GL_KIND(alchemy_kind)},
     {"vao", LKAO_GL_KIND(vao_kind)},
+    {"gtao", LKAO_GL_KIND(gtao_kind)},
+    {"vbao", LKAO_GL_KIND(vbao_kind)},
 };
 constexpr std::size_t kTraversal = 0, kEmbree = 1;
 
