@@ -312,6 +312,37 @@ TEST_F(PassState, OfVolumesIsPutBackAndDoesNotMatter) {
   }
 }
 
+TEST_F(PassState, OfHorizonsIsPutBackAndDoesNotMatter) {
+  const Mesh mesh = furnished_room();
+  const Camera camera = room_camera(kWidth, kHeight);
+  const GBufferPass g_buffer(mesh, camera, kWidth, kHeight);
+  const Texture occlusion = make_image(GL_RGBA16F, kWidth, kHeight);
+  const HorizonOptions options{.estimator = HorizonEstimator::bitmask, .radius = 1, .thickness = 0.5f};
+  const auto draw = [&](HorizonPass& pass) {
+    pass.draw(g_buffer.by_depth(), camera, options, {.texture = occlusion.name(), .channel = Channel::blue});
+  };
+  HorizonPass usual;
+  draw(usual);
+  const std::vector<glm::vec4> expected = read_image(occlusion.name(), kWidth, kHeight);
+  for (const bool keeps : {true, false}) {
+    const OddState odd;
+    const Snapshot before = take_snapshot();
+    HorizonPass pass({.keep_state = keeps});
+    EXPECT_THAT(changes_since(before), IsEmpty()) << "after it is made";
+    draw(pass);
+    if (keeps) {
+      EXPECT_THAT(changes_since(before), IsEmpty()) << "after draw";
+      EXPECT_THROW(pass.draw(g_buffer.by_depth(), camera, {}, {occlusion.name()}), std::invalid_argument);
+      EXPECT_THAT(changes_since(before), IsEmpty()) << "after an exception";
+    } else {
+      EXPECT_THAT(changes_since(before), Not(IsEmpty()));
+    }
+    glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
+    for (const PixelStore& parameter : kKeptPixelStore) glPixelStorei(parameter.name, parameter.tight);
+    EXPECT_EQ(read_image(occlusion.name(), kWidth, kHeight), expected);
+  }
+}
+
 TEST_F(PassState, OfBlendingIsPutBack) {
   const OddState odd;
   const Snapshot before = take_snapshot();
