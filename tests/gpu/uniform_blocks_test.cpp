@@ -12,6 +12,7 @@
 #include "gpu/on_software.h"
 #include "gpu/screen/alchemy/alchemy_block.h"
 #include "gpu/screen/filter_block.h"
+#include "gpu/screen/horizon/horizon_block.h"
 #include "gpu/screen/splat/splat_block.h"
 #include "gpu/screen/vao/vao_block.h"
 #include "gpu/volumes/volume_pass_block.h"
@@ -91,6 +92,12 @@ TEST_F(UniformBlocks, AreLaidOutAlike) {
   LKAO_EXPECT_OFFSET(vao, VaoBlock, line_first);
   LKAO_EXPECT_OFFSET(vao, VaoBlock, ball_radius);
   LKAO_EXPECT_OFFSET(vao, VaoBlock, bleeding_y);
+  for (const int is_bitmask : {0, 1}) {
+    const ProgramObject horizons = make_program({"screen/horizon/horizon.comp"}, {{"LKAO_BITMASK", is_bitmask}});
+    EXPECT_EQ(size_of(horizons, "HorizonBlock"), static_cast<GLint>(sizeof(HorizonBlock)));
+    LKAO_EXPECT_OFFSET(horizons, HorizonBlock, step_exponent);
+    LKAO_EXPECT_OFFSET(horizons, HorizonBlock, seed);
+  }
 
   const ProgramObject filter = make_program({"screen/bilateral.comp"});
   EXPECT_EQ(size_of(filter, "FilterBlock"), static_cast<GLint>(sizeof(FilterBlock)));
