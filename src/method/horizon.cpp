@@ -142,16 +142,16 @@ class Horizon : public ScreenMethod {
   Horizon(const Settings& settings, gl::HorizonEstimator estimator)
       : ScreenMethod(settings, is_bitmask(estimator) ? bitmask_abilities(settings) : horizons_abilities(settings),
                      {&slices_setting(), &slice_steps_setting(), &step_exponent_setting(), &slice_density_setting()}),
-        has_falloff_begin_(is_chosen(settings, falloff_begin_setting())) {
+        falloff_begin_(static_cast<float>(settings.number(falloff_begin_setting()))),
+        has_falloff_begin_(is_chosen(settings, falloff_begin_setting())),
+        thickness_share_(settings.number(is_bitmask(estimator) ? thickness_setting() : sinking_setting())) {
     options_.estimator = estimator;
     options_.slice_count = is_converged() ? kConvergedSliceCount : whole(settings, slices_setting());
     options_.step_count = whole(settings, slice_steps_setting());
     options_.step_exponent = static_cast<float>(settings.number(step_exponent_setting()));
     options_.slice_density = settings.value(slice_density_setting(), kSliceDensityWords);
     options_.screen_radius = static_cast<float>(settings.number(screen_radius_setting()));
-    options_.falloff_begin = static_cast<float>(settings.number(falloff_begin_setting()));
     options_.angle_bias = static_cast<float>(settings.number(angle_bias_setting()));
-    thickness_share_ = settings.number(is_bitmask(estimator) ? thickness_setting() : sinking_setting());
     if (is_bitmask(estimator)) {
       options_.sector_measure = settings.value(sector_measure_setting(), kSectorMeasureWords);
     }
@@ -169,10 +169,11 @@ class Horizon : public ScreenMethod {
     options_.thickness = thickness_share_ > 0 ? static_cast<float>(thickness_share_ * double{question.radius})
                                               : std::numeric_limits<float>::infinity();
     options_.seed = static_cast<std::uint32_t>(question.seed);
-    if (question.falloff.name() != Falloff::linear().name()) return;
-    if (has_falloff_begin_)
+    const bool is_linear = question.falloff.name() == Falloff::linear().name();
+    if (is_linear && has_falloff_begin_) {
       throw std::invalid_argument("--falloff-begin: not with --falloff linear, which begins at 0");
-    options_.falloff_begin = 0;
+    }
+    options_.falloff_begin = is_linear ? 0 : falloff_begin_;
   }
 
   void draw(const gl::GBuffer& g_buffer, const gl::Camera& camera, const gl::OcclusionTarget& to) override {
@@ -209,8 +210,9 @@ class Horizon : public ScreenMethod {
     remarks.rows.emplace_back("thickness", is_endless ? "endless" : fmt::format("{:.4g}", options_.thickness));
   }
 
+  float falloff_begin_;
   bool has_falloff_begin_;
-  double thickness_share_ = 0;
+  double thickness_share_;
   gl::HorizonOptions options_;
   gl::HorizonPass pass_;
 };

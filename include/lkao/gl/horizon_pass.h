@@ -32,8 +32,8 @@ enum class SliceDensity {
 // What the sectors of a mask have in common.
 enum class SectorMeasure {
   cosine,  // equal cosine-weighted solid angles: counted bits are ambient occlusion
-  angle,   // equal angles, and all slices weigh the same, as Therrien et al. have it: comes to another quantity than
-           // ambient occlusion, which takes directions near the eye's for too many
+  angle,   // equal angles, and all slices weigh the same, as Therrien et al. have it: that is not quite ambient
+           // occlusion, for directions near that to the eye count too much
 };
 
 struct HorizonOptions {
