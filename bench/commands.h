@@ -28,6 +28,8 @@ Command add_volumes_command(CLI::App& program);
 Command add_splats_command(CLI::App& program);
 // Methods in screen space against rays and against themselves; where OpenGL is built.
 Command add_screen_command(CLI::App& program);
+// Speed against error, over all methods.
+Command add_report_command(CLI::App& program);
 // Levels of detail, by every method that takes them.
 Command add_lod_command(CLI::App& program);
 // Baked values of vertices against occlusion all over the faces.

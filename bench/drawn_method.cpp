@@ -12,13 +12,14 @@
 
 namespace lkao::bench {
 
-std::vector<float> cast_rays(const StudyScene& scene, float radius, const Falloff& falloff, int turn_count) {
+std::vector<float> cast_rays(const StudyScene& scene, float radius, const Falloff& falloff, int turn_count,
+                             int first_turn) {
   const OccluderBvh bvh({scene.mesh.positions, scene.mesh.triangles});
   const SamplePattern pattern = SamplePattern::standard(kMaxRayCount).with_falloff(falloff);
   std::vector<float> occlusion(scene.view.receivers.size());
   std::vector<double> sum(occlusion.size());
   for (int turn = 0; turn < turn_count; ++turn) {
-    const RayOptions options{.radius = radius, .seed = static_cast<std::uint64_t>(turn)};
+    const RayOptions options{.radius = radius, .seed = static_cast<std::uint64_t>(first_turn + turn)};
     AmbientOcclusion(bvh, pattern, options).query(scene.view.receivers, {.occlusion = occlusion});
     for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += static_cast<double>(occlusion[i]);
   }

@@ -15,8 +15,10 @@
 
 namespace lkao::bench {
 
-// What every pixel of the view should be: `turn_count` times 1024 rays, by the query. NaN where there is no receiver.
-std::vector<float> cast_rays(const StudyScene& scene, float radius, const Falloff& falloff, int turn_count);
+// What every pixel of the view should be: `turn_count` times 1024 rays, by the query; other turns are other rays. NaN
+// where there is no receiver.
+std::vector<float> cast_rays(const StudyScene& scene, float radius, const Falloff& falloff, int turn_count,
+                             int first_turn = 0);
 
 // Of pixels with a receiver.
 double mean_of(const std::vector<float>& occlusion);

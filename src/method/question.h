@@ -17,11 +17,13 @@ inline constexpr Word<Weighting> kWeightingWords[] = {{"cosine", Weighting::cosi
 struct Question {
   float radius = 0;  // AO radius, > 0; perhaps infinite
   int ray_count = 128;
+  PatternKind pattern_kind = PatternKind::lloyd;
   Weighting weighting = Weighting::cosine;
   Falloff falloff = Falloff::constant();
   Sidedness sidedness = Sidedness::two_sided;
   std::uint64_t seed = 0;
-  float min_distance = 0;  // where rays begin to count
+  float min_distance = 0;                                     // where rays begin to count
+  int table_resolution = PlaneMaskTableOptions{}.resolution;  // of methods that look planes up
 
   RayOptions ray_options() const {
     return {.radius = radius, .sidedness = sidedness, .seed = seed, .min_distance = min_distance};

@@ -1,0 +1,122 @@
+#include "bench/report/contestants.h"
+
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace lkao::bench {
+namespace {
+
+using scene::embree::Order;
+
+Contestant query(int ray_count, bool is_quick) {
+  return {.name = fmt::format("query, {} rays", ray_count),
+          .family = Family::query,
+          .method = "bvh",
+          .ray_count = ray_count,
+          .is_quick = is_quick};
+}
+
+Contestant pattern(PatternKind kind, int ray_count, bool is_quick) {
+  return {.name = fmt::format("query, {} rays, {}", ray_count, pattern_kind_name(kind)),
+          .family = Family::patterns,
+          .method = "bvh",
+          .ray_count = ray_count,
+          .pattern = kind,
+          .is_quick = is_quick};
+}
+
+Contestant table(const char* kernel, int resolution, int ray_count, bool is_quick) {
+  return {.name = fmt::format("table {}, {}^3, {} rays", kernel, resolution, ray_count),
+          .family = Family::tables,
+          .method = "bvh",
+          .settings = {{"kernel", kernel}},
+          .ray_count = ray_count,
+          .table_resolution = resolution,
+          .is_quick = is_quick};
+}
+
+Contestant levels(const char* method, float k, float epsilon_share, bool is_quick) {
+  return {.name = fmt::format("{}, levels k {:g}, epsilon x {:.3g}", method, k, epsilon_share),
+          .family = Family::levels,
+          .method = method,
+          .levels = ReportLevels{k, epsilon_share},
+          .is_quick = is_quick};
+}
+
+Contestant embree(const EmbreeMode& mode, int ray_count, bool is_quick) {
+  return {.name = fmt::format("{}, {} rays", mode.name(), ray_count),
+          .family = Family::embree,
+          .method = "embree",
+          .ray_count = ray_count,
+          .embree = mode,
+          .is_quick = is_quick};
+}
+
+Contestant drawn(Family family, const char* method, const std::string& what, ChangedSettings settings, bool is_quick) {
+  return {.name = what.empty() ? method : fmt::format("{}, {}", method, what),
+          .family = family,
+          .method = method,
+          .settings = std::move(settings),
+          .is_quick = is_quick};
+}
+
+void add_rays(std::vector<Contestant>& all) {
+  for (const int ray_count : {16, 32, 64, 128, 256, 512, 1024}) {
+    const bool is_quick = ray_count == 16 || ray_count == 64 || ray_count == 256 || ray_count == 1024;
+    all.push_back(query(ray_count, is_quick));
+    all.push_back(embree({1, Order::coherent}, ray_count, is_quick));
+    // The best of Embree's modes on nearly all machines that were asked (bench/results/rays.csv).
+    all.push_back(embree({16, Order::coherent, Packing::receivers}, ray_count, is_quick));
+  }
+  for (const int ray_count : {64, 256}) {
+    for (const PatternKind kind : {PatternKind::random, PatternKind::sobol, PatternKind::fibonacci}) {
+      all.push_back(pattern(kind, ray_count, ray_count == 64 && kind != PatternKind::fibonacci));
+    }
+  }
+  all.push_back(table("table", 64, 128, false));
+  for (const int resolution : {32, 64, 128}) all.push_back(table("nearest", resolution, 128, resolution == 64));
+  for (const float k : {1.5f, 3.0f}) all.push_back(levels("bvh", k, 1, k == 3));
+}
+
+void add_drawn(std::vector<Contestant>& all) {
+  all.push_back(drawn(Family::raster, "raster", "nearest", {{"masks", "nearest"}}, true));
+  all.push_back(drawn(Family::raster, "raster", "exact", {{"masks", "exact"}}, false));
+  for (const float k : {1.5f, 3.0f}) all.push_back(levels("raster", k, 1, k == 3));
+  for (const char* delta : {"0.4", "0.6", "1"}) {
+    Contestant volumes =
+        drawn(Family::volumes, "volumes", fmt::format("delta {}", delta), {{"delta", delta}}, *delta == '0');
+    volumes.has_linear_falloff = true;
+    all.push_back(volumes);
+  }
+  all.push_back(drawn(Family::splats, "splat", "both halves", {}, true));
+  all.push_back(drawn(Family::splats, "splat", "far half", {{"halves", "far"}}, false));
+}
+
+}  // namespace
+
+std::vector<Contestant> all_contestants(bool has_gl) {
+  std::vector<Contestant> all;
+  add_rays(all);
+  if (has_gl) add_drawn(all);
+  return all;
+}
+
+const char* family_name(Family family) {
+  constexpr const char* kNames[] = {"query",   "patterns", "tables",  "levels", "embree", "raster",
+                                    "volumes", "splats",   "alchemy", "vao",    "gtao",   "vbao"};
+  return kNames[static_cast<int>(family)];
+}
+
+std::string Contestant::command(const std::string& scene, float radius) const {
+  // What the program has no option for.
+  if (embree || pattern != PatternKind::lloyd || table_resolution != 0) return {};
+  std::string text =
+      fmt::format("lkao render {} --radius {:g} --method {} --samples {}", scene, radius, method, ray_count);
+  for (const auto& [option, value] : settings) text += fmt::format(" --{} {}", option, value);
+  if (has_linear_falloff) text += " --falloff linear";
+  if (levels) text += fmt::format(" --lod k={:g}", levels->k);
+  return text + " -o ao.exr";
+}
+
+}  // namespace lkao::bench

@@ -1,0 +1,211 @@
+#include "bench/report/measured.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <map>
+#include <memory>
+#include <span>
+
+#include <fmt/format.h>
+
+#include "lod/simplify.h"
+#include "method/answers.h"
+#include "method/list.h"
+#include "method/median.h"
+#include "method/occluders.h"
+#include "method/stopwatch.h"
+#include "reference/embree_reference.h"
+#include "reference/embree_scene.h"
+
+namespace lkao::bench {
+namespace {
+
+using Masks = std::vector<std::uint64_t>;
+
+struct Frame {
+  std::vector<float> occlusion;
+  Masks masks;  // none where the contestant does not tell ray by ray
+  std::uint64_t ray_count = 0;
+  double seconds = 0;
+};
+
+// Answers all pixels once.
+using Answer = std::function<void(Frame&)>;
+
+// Masks of the pixels that see something, as a picture.
+std::vector<float> picture_of(const Masks& masks, const SamplePattern& pattern, const scene::ReceiverImage& view) {
+  const auto word_count = static_cast<std::size_t>(pattern.word_count());
+  std::vector<float> picture(view.receivers.size(), std::numeric_limits<float>::quiet_NaN());
+  auto word = masks.begin();
+  for (std::size_t pixel = 0; pixel < picture.size(); ++pixel) {
+    if (!view.sees(pixel)) continue;
+    int blocked = 0;
+    for (std::size_t i = 0; i < word_count; ++i) blocked += std::popcount(*word++);
+    picture[pixel] = static_cast<float>(blocked) / static_cast<float>(pattern.ray_count());
+  }
+  return picture;
+}
+
+}  // namespace
+
+struct Measurer::State {
+  const Subject& subject;
+  const Converged& constant;
+  const Converged& linear;
+  int round_count;
+  method::Occluders occluders;
+  std::optional<reference::EmbreeReference> oracle;
+  std::optional<reference::EmbreeScene> rival;
+  Masks expected;  // by robust Embree, of the last question
+  std::string expected_name;
+  std::map<std::pair<float, float>, lod::Chain> chains;
+  std::unique_ptr<method::Method> yardstick;  // the query with 128 rays
+
+  std::span<const Receiver> pixels() const { return subject.scene.view.receivers; }
+  // Embree's modes know nothing of pixels that see nothing.
+  std::span<const Receiver> receivers_of(const Contestant& contestant) const {
+    return contestant.embree ? std::span<const Receiver>(subject.scene.receivers) : pixels();
+  }
+  method::Question question_of(const Contestant& contestant) const;
+  std::unique_ptr<method::Method> open(const Contestant& contestant, method::Occluders& from) const;
+  const lod::Chain& chain_of(const ReportLevels& levels);
+  const Masks& expected_of(const Contestant& contestant);
+  Answer answer_by_embree(const Contestant& contestant);
+  double seconds_of_yardstick();
+};
+
+method::Question Measurer::State::question_of(const Contestant& contestant) const {
+  method::Question question{.radius = subject.radius,
+                            .ray_count = contestant.ray_count,
+                            .pattern_kind = contestant.pattern,
+                            .falloff = contestant.has_linear_falloff ? Falloff::linear() : Falloff::constant()};
+  if (contestant.table_resolution != 0) question.table_resolution = contestant.table_resolution;
+  return question;
+}
+
+std::unique_ptr<method::Method> Measurer::State::open(const Contestant& contestant, method::Occluders& from) const {
+  auto opened = method::method_named(contestant.method).open(settings_of(contestant.method, contestant.settings, {}));
+  opened->prepare({from, question_of(contestant), method::View{subject.scene.camera, subject.scene.view}});
+  return opened;
+}
+
+const lod::Chain& Measurer::State::chain_of(const ReportLevels& levels) {
+  const auto found = chains.find({levels.k, levels.epsilon_share});
+  if (found != chains.end()) return found->second;
+  lod::LevelRule rule;
+  rule.k = levels.k;
+  rule.epsilon = levels.epsilon_share * lod::automatic_epsilon(subject.radius, rule);
+  lod::Chain chain = lod::simplify(subject.scene.mesh, {.levels = rule}).chain;
+  return chains.emplace(std::pair(levels.k, levels.epsilon_share), std::move(chain)).first->second;
+}
+
+const Masks& Measurer::State::expected_of(const Contestant& contestant) {
+  const method::Question question = question_of(contestant);
+  const std::string name = fmt::format("{} {} {} {}", question.ray_count, pattern_kind_name(question.pattern_kind),
+                                       question.falloff.name(), contestant.embree.has_value());
+  if (name == expected_name) return expected;
+  const AmbientOcclusion query(occluders.hierarchies(), question.pattern(), question.ray_options());
+  const std::span<const Receiver> receivers = receivers_of(contestant);
+  expected.resize(receivers.size() * static_cast<std::size_t>(query.pattern().word_count()));
+  if (!oracle) oracle.emplace(subject.scene.mesh);
+  oracle->query(query, receivers, {.mask_words = expected});
+  expected_name = name;
+  return expected;
+}
+
+Answer Measurer::State::answer_by_embree(const Contestant& contestant) {
+  if (!rival) rival.emplace(subject.scene.mesh.view(), false);
+  const method::Question question = question_of(contestant);
+  const auto query =
+      std::make_shared<AmbientOcclusion>(occluders.hierarchies(), question.pattern(), question.ray_options());
+  return [this, query, mode = *contestant.embree](Frame& frame) {
+    const std::vector<Receiver>& receivers = subject.scene.receivers;
+    frame.masks.resize(receivers.size() * static_cast<std::size_t>(query->pattern().word_count()));
+    const method::Stopwatch watch;
+    cast(mode, rival->plain(), *query, receivers, frame.masks);
+    frame.seconds = watch.seconds();
+    frame.occlusion = picture_of(frame.masks, query->pattern(), subject.scene.view);
+  };
+}
+
+double Measurer::State::seconds_of_yardstick() {
+  std::vector<float> occlusion(pixels().size());
+  return yardstick->answer(pixels(), {.occlusion = occlusion}, 0).seconds;
+}
+
+Measurer::Measurer(const Subject& subject, const Converged& constant, const Converged& linear, int round_count)
+    : state_(new State{
+          subject, constant, linear, round_count, method::Occluders(subject.scene.mesh), {}, {}, {}, {}, {}, nullptr}) {
+  state_->yardstick = state_->open({.name = "", .method = "bvh"}, state_->occluders);
+}
+
+Measurer::~Measurer() = default;
+
+Measured Measurer::measure(const Contestant& contestant) {
+  State& state = *state_;
+  Measured measured;
+  std::unique_ptr<method::Method> opened;
+  std::optional<method::Occluders> simplified;
+  Answer answer;
+  if (contestant.embree) {
+    answer = state.answer_by_embree(contestant);
+  } else {
+    if (contestant.levels) {
+      simplified.emplace(state.subject.scene.mesh, state.chain_of(*contestant.levels), state.subject.radius);
+    }
+    opened = state.open(contestant, simplified ? *simplified : state.occluders);
+    measured.device = opened->device();
+    const bool has_masks = opened->abilities().masks;
+    const int word_count = word_count_of(contestant.ray_count);
+    answer = [&state, &opened, has_masks, word_count](Frame& frame) {
+      frame.occlusion.resize(state.pixels().size());
+      if (has_masks) frame.masks.resize(state.pixels().size() * static_cast<std::size_t>(word_count));
+      const method::Answered answered =
+          opened->answer(state.pixels(), {.occlusion = frame.occlusion, .mask_words = frame.masks}, 0);
+      frame.seconds = answered.seconds;
+    };
+  }
+
+  Frame frame;
+  std::vector<double> seconds, ratios;
+  answer(frame);  // once for the caches
+  for (int round = 0; round < state.round_count; ++round) {
+    const double yardstick = state.seconds_of_yardstick();
+    answer(frame);
+    seconds.push_back(frame.seconds);
+    ratios.push_back(frame.seconds / yardstick);
+  }
+  measured.seconds = method::median(seconds);
+  measured.query_ratio = method::median(ratios);
+  const scene::ReceiverImage& view = state.subject.scene.view;
+  measured.errors = errors_of(frame.occlusion, state.constant.mean, view.width, view.height);
+  if (contestant.has_linear_falloff) {
+    measured.own_falloff = errors_of(frame.occlusion, state.linear.mean, view.width, view.height);
+  }
+  if (!frame.masks.empty()) {
+    const Masks& expected = state.expected_of(contestant);
+    const double rays = static_cast<double>(view.receiver_count) * contestant.ray_count;
+    measured.mismatch_rate = static_cast<double>(reference::count_mismatched_rays(frame.masks, expected)) / rays;
+  }
+  measured.picture = std::move(frame.occlusion);
+  return measured;
+}
+
+nlohmann::ordered_json to_json(const PictureErrors& errors) {
+  return {{"bias", errors.bias},
+          {"mae", errors.mae},
+          {"rmse", errors.rmse},
+          {"median", errors.median},
+          {"percentile_95", errors.percentile_95},
+          {"percentile_99", errors.percentile_99},
+          {"largest", errors.largest},
+          {"psnr", errors.psnr},
+          {"equal_8bit_share", errors.equal_8bit_share},
+          {"log_error", errors.log_error}};
+}
+
+}  // namespace lkao::bench

@@ -1,0 +1,43 @@
+// One contestant on one subject: its picture, its time, its errors.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "bench/report/contestants.h"
+#include "bench/report/subject.h"
+
+namespace lkao::bench {
+
+struct Measured {
+  double seconds = 0;      // a frame; the median of the rounds
+  double query_ratio = 0;  // its time over that of the query with 128 rays, which took turns with it; median of rounds
+  std::string device;      // none: the CPU
+  std::vector<float> picture;
+  PictureErrors errors;                      // from rays of constant falloff
+  std::optional<PictureErrors> own_falloff;  // from rays of its own
+  std::optional<double> mismatch_rate;       // of its rays, from Embree's with the same directions
+};
+
+nlohmann::ordered_json to_json(const PictureErrors& errors);
+
+// Measures contestants of one subject, of which it keeps what they share.
+class Measurer {
+ public:
+  // Of the rays: constant and linear falloff.
+  Measurer(const Subject& subject, const Converged& constant, const Converged& linear, int round_count);
+  ~Measurer();
+
+  // Throws std::runtime_error or std::invalid_argument with one line where the contestant cannot answer.
+  Measured measure(const Contestant& contestant);
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace lkao::bench

@@ -1,0 +1,205 @@
+#include "bench/report/report.h"
+
+#include <algorithm>
+#include <csignal>
+#include <cstdio>
+#include <optional>
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include "bench/csv_file.h"
+#include "bench/provenance.h"
+#include "bench/report/contestants.h"
+#include "bench/report/measured.h"
+#include "bench/report/store.h"
+#include "bench/report/subject.h"
+#include "method/list.h"
+
+namespace lkao::bench {
+namespace {
+
+using nlohmann::ordered_json;
+
+volatile std::sig_atomic_t is_stopped = 0;
+
+// From then on Ctrl-C stops between two measurements.
+class StopsAtInterrupt {
+ public:
+  StopsAtInterrupt() : before_(std::signal(SIGINT, [](int) { is_stopped = 1; })) {}
+  ~StopsAtInterrupt() { std::signal(SIGINT, before_); }
+  StopsAtInterrupt(const StopsAtInterrupt&) = delete;
+  StopsAtInterrupt& operator=(const StopsAtInterrupt&) = delete;
+
+ private:
+  void (*before_)(int);
+};
+
+std::vector<Contestant> wanted_contestants(const ReportOptions& options) {
+  std::vector<Contestant> wanted;
+  for (Contestant& contestant : all_contestants(method::method_named("raster").is_built())) {
+    const bool is_named = options.families.empty() ||
+                          std::find(options.families.begin(), options.families.end(), family_name(contestant.family)) !=
+                              options.families.end();
+    if (is_named && (contestant.is_quick || !options.is_quick)) wanted.push_back(std::move(contestant));
+  }
+  return wanted;
+}
+
+ordered_json describe(const Contestant& contestant, const Subject& subject, const Measured& measured) {
+  ordered_json values = {{"contestant", contestant.name},
+                         {"family", family_name(contestant.family)},
+                         {"command", contestant.command(subject.scene.name, subject.radius)},
+                         {"device", measured.device},
+                         {"seconds", measured.seconds},
+                         {"query_ratio", measured.query_ratio},
+                         {"errors", to_json(measured.errors)}};
+  if (measured.own_falloff) values["own_falloff_errors"] = to_json(*measured.own_falloff);
+  if (measured.mismatch_rate) values["mismatch_rate"] = *measured.mismatch_rate;
+  return values;
+}
+
+// A report under way.
+class Measuring {
+ public:
+  explicit Measuring(const ReportOptions& options)
+      : options_(options),
+        store_(options.folder, program_fingerprint()),
+        names_(study_scene_names(options.scenes)),
+        contestants_(wanted_contestants(options)) {}
+
+  // False where it was stopped.
+  bool run() {
+    for (const std::string& name : names_) {
+      const StudyScene scene = load_study_scene(name, options_.scenes);
+      std::vector<float> radii = scene.radii;
+      if (options_.is_quick) radii = {scene.radii.front()};
+      for (const float radius : radii) {
+        if (!measure({fmt::format("{} {:g}", name, radius), scene, radius})) return false;
+      }
+    }
+    return true;
+  }
+
+  ordered_json take_subjects() { return std::move(subjects_); }
+
+ private:
+  std::string record_name(const Subject& subject, const std::string& contestant) const {
+    return fmt::format("{} {}x{} {}", subject.name, options_.scenes.width, options_.scenes.height, contestant);
+  }
+
+  bool measure(const Subject& subject) {
+    fmt::print("{}: {} contestants\n", subject.name, contestants_.size());
+    const Converged constant = converge(subject, Falloff::constant(), options_.turn_count, store_);
+    if (is_stopped != 0) return false;
+    const Converged linear = converge(subject, Falloff::linear(), options_.turn_count, store_);
+    std::optional<Measurer> measurer;
+    ordered_json results = ordered_json::array();
+    for (const Contestant& contestant : contestants_) {
+      if (is_stopped != 0) return false;
+      const std::string name = record_name(subject, contestant.name);
+      std::optional<ordered_json> values = store_.find(name);
+      if (!values) {
+        if (!measurer) measurer.emplace(subject, constant, linear, options_.round_count);
+        const Measured measured = measurer->measure(contestant);
+        store_.put_picture(name, measured.picture);
+        store_.put(name, describe(contestant, subject, measured));  // last: now it counts
+        values = store_.find(name);
+        fmt::print("  {:36} {:9.2f} ms  RMSE {:.4f}\n", contestant.name, 1000 * measured.seconds, measured.errors.rmse);
+        std::fflush(stdout);
+      }
+      results.push_back(std::move(*values));
+    }
+    const scene::ReceiverImage& view = subject.scene.view;
+    subjects_.push_back({{"scene", subject.scene.name},
+                         {"radius", subject.radius},
+                         {"width", view.width},
+                         {"height", view.height},
+                         {"triangles", subject.scene.mesh.triangles.size()},
+                         {"receivers", view.receiver_count},
+                         {"reference_rays", constant.ray_count},
+                         // Of the mean of both halves: half as much as they differ.
+                         {"noise_floor_rmse", 0.5 * constant.between_halves.rmse},
+                         {"linear_noise_floor_rmse", 0.5 * linear.between_halves.rmse},
+                         {"results", std::move(results)}});
+    return true;
+  }
+
+  const ReportOptions& options_;
+  ReportStore store_;
+  std::vector<std::string> names_;
+  std::vector<Contestant> contestants_;
+  ordered_json subjects_ = ordered_json::array();
+};
+
+Columns csv_columns() {
+  return {{"scene"},
+          {"radius", "{:.6g}"},
+          {"contestant"},
+          {"family"},
+          {"device"},
+          {"milliseconds", "{:.5g}"},
+          {"query_ratio", "{:.4g}"},
+          {"bias", "{:.4g}"},
+          {"mae", "{:.4g}"},
+          {"rmse", "{:.4g}"},
+          {"median", "{:.4g}"},
+          {"percentile_95", "{:.4g}"},
+          {"percentile_99", "{:.4g}"},
+          {"largest", "{:.4g}"},
+          {"psnr", "{:.4g}"},
+          {"equal_8bit_share", "{:.6f}"},
+          {"log_error", "{:.4g}"},
+          {"own_falloff_rmse", "{:.4g}"},
+          {"mismatch_rate", "{:.4g}"},
+          {"noise_floor_rmse", "{:.4g}"}};
+}
+
+// A number of an object, or nothing.
+Value number(const ordered_json& object, const char* key) {
+  return object.contains(key) && object.at(key).is_number() ? Value(object.at(key).get<double>()) : Value();
+}
+
+// Contestants have commas in their names.
+std::string quoted(const std::string& text) { return '"' + text + '"'; }
+
+}  // namespace
+
+std::optional<ordered_json> measure_report(const ReportOptions& options) {
+  is_stopped = 0;
+  const StopsAtInterrupt stops;
+  Measuring measuring(options);
+  if (!measuring.run()) return std::nullopt;
+  const Processor cpu = processor();
+  return ordered_json{{"processor", fmt::format("{}, family {}, model {}", cpu.name, cpu.family, cpu.model)},
+                      {"compiler", compiler()},
+                      {"commit", commit()},
+                      {"date", fmt::format("{:%Y-%m-%d}", fmt::gmtime(std::time(nullptr)))},
+                      {"command", options.command},
+                      {"subjects", measuring.take_subjects()}};
+}
+
+void write_report_csv(const std::string& folder, const ordered_json& report) {
+  CsvFile csv(folder + "/report.csv", csv_columns());
+  for (const ordered_json& subject : report.at("subjects")) {
+    for (const ordered_json& result : subject.at("results")) {
+      Measurement row = {{"scene", subject.at("scene").get<std::string>()},
+                         {"radius", number(subject, "radius")},
+                         {"contestant", quoted(result.at("contestant").get<std::string>())},
+                         {"family", result.at("family").get<std::string>()},
+                         {"device", quoted(result.at("device").get<std::string>())},
+                         {"milliseconds", 1000 * result.at("seconds").get<double>()},
+                         {"query_ratio", number(result, "query_ratio")},
+                         {"mismatch_rate", number(result, "mismatch_rate")},
+                         {"noise_floor_rmse", number(subject, "noise_floor_rmse")}};
+      for (const auto& [key, value] : result.at("errors").items())
+        row.emplace_back(key, number(result.at("errors"), key.c_str()));
+      row.emplace_back("own_falloff_rmse", result.contains("own_falloff_errors")
+                                               ? number(result.at("own_falloff_errors"), "rmse")
+                                               : Value());
+      csv.write(row);
+    }
+  }
+}
+
+}  // namespace lkao::bench
