@@ -7,7 +7,9 @@
 
 #include "bench/commands.h"
 #include "bench/options.h"
+#include "bench/report/page.h"
 #include "bench/report/report.h"
+#include "image/atomic_file.h"
 
 namespace lkao::bench {
 namespace {
@@ -26,7 +28,8 @@ int make_report(ReportOptions options) {
     return kStopped;
   }
   write_report_csv(options.folder, *report);
-  fmt::print("wrote {}/report.csv\n", options.folder);
+  image::write_file(options.folder + "/report.html", make_page(*report));
+  fmt::print("wrote {0}/report.html and {0}/report.csv\n", options.folder);
   return 0;
 }
 

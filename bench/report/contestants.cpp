@@ -63,7 +63,7 @@ Contestant drawn(Family family, const char* method, const std::string& what, Cha
 
 void add_rays(std::vector<Contestant>& all) {
   for (const int ray_count : {16, 32, 64, 128, 256, 512, 1024}) {
-    const bool is_quick = ray_count == 16 || ray_count == 64 || ray_count == 256 || ray_count == 1024;
+    const bool is_quick = ray_count != 32 && ray_count != 512;
     all.push_back(query(ray_count, is_quick));
     all.push_back(embree({1, Order::coherent}, ray_count, is_quick));
     // The best of Embree's modes on nearly all machines that were asked (bench/results/rays.csv).
@@ -79,6 +79,14 @@ void add_rays(std::vector<Contestant>& all) {
   for (const float k : {1.5f, 3.0f}) all.push_back(levels("bvh", k, 1, k == 3));
 }
 
+void add_screen(std::vector<Contestant>& all, Family family, const char* method) {
+  all.push_back(drawn(family, method, "", {}, true));
+  all.push_back(drawn(family, method, "no filter", {{"filter", "0"}}, true));
+  all.push_back(drawn(family, method, "converged", {{"converged", "on"}}, true));
+  all.push_back(drawn(family, method, "half resolution", {{"step", "2"}}, false));
+  all.push_back(drawn(family, method, "guard band", {{"guard-band", "64"}}, false));
+}
+
 void add_drawn(std::vector<Contestant>& all) {
   all.push_back(drawn(Family::raster, "raster", "nearest", {{"masks", "nearest"}}, true));
   all.push_back(drawn(Family::raster, "raster", "exact", {{"masks", "exact"}}, false));
@@ -91,6 +99,10 @@ void add_drawn(std::vector<Contestant>& all) {
   }
   all.push_back(drawn(Family::splats, "splat", "both halves", {}, true));
   all.push_back(drawn(Family::splats, "splat", "far half", {{"halves", "far"}}, false));
+  add_screen(all, Family::alchemy, "alchemy");
+  add_screen(all, Family::vao, "vao");
+  add_screen(all, Family::gtao, "gtao");
+  add_screen(all, Family::vbao, "vbao");
 }
 
 }  // namespace

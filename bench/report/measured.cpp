@@ -50,6 +50,23 @@ std::vector<float> picture_of(const Masks& masks, const SamplePattern& pattern, 
   return picture;
 }
 
+// Of each pixel; NaN where it sees nothing.
+std::vector<float> mismatches(const Masks& masks, const Masks& expected, const scene::ReceiverImage& view,
+                              const Contestant& contestant) {
+  const auto word_count = static_cast<std::size_t>(word_count_of(contestant.ray_count));
+  std::vector<float> counts(view.receivers.size(), std::numeric_limits<float>::quiet_NaN());
+  std::size_t first = 0;  // word
+  for (std::size_t pixel = 0; pixel < counts.size(); ++pixel) {
+    const bool has_words = !contestant.embree || view.sees(pixel);
+    if (!has_words) continue;
+    int count = 0;
+    for (std::size_t i = first; i < first + word_count; ++i) count += std::popcount(masks[i] ^ expected[i]);
+    first += word_count;
+    if (view.sees(pixel)) counts[pixel] = static_cast<float>(count);
+  }
+  return counts;
+}
+
 }  // namespace
 
 struct Measurer::State {
@@ -188,8 +205,10 @@ Measured Measurer::measure(const Contestant& contestant) {
   }
   if (!frame.masks.empty()) {
     const Masks& expected = state.expected_of(contestant);
+    const std::uint64_t count = reference::count_mismatched_rays(frame.masks, expected);
     const double rays = static_cast<double>(view.receiver_count) * contestant.ray_count;
-    measured.mismatch_rate = static_cast<double>(reference::count_mismatched_rays(frame.masks, expected)) / rays;
+    measured.mismatch_rate = static_cast<double>(count) / rays;
+    if (count > 0) measured.mismatches = mismatches(frame.masks, expected, view, contestant);
   }
   measured.picture = std::move(frame.occlusion);
   return measured;

@@ -18,6 +18,7 @@ struct Measured {
   double query_ratio = 0;  // its time over that of the query with 128 rays, which took turns with it; median of rounds
   std::string device;      // none: the CPU
   std::vector<float> picture;
+  std::vector<float> mismatches;             // rays of each pixel unlike Embree's; none where all are alike
   PictureErrors errors;                      // from rays of constant falloff
   std::optional<PictureErrors> own_falloff;  // from rays of its own
   std::optional<double> mismatch_rate;       // of its rays, from Embree's with the same directions

@@ -10,8 +10,10 @@
 
 #include "bench/csv_file.h"
 #include "bench/provenance.h"
+#include "bench/report/causes.h"
 #include "bench/report/contestants.h"
 #include "bench/report/measured.h"
+#include "bench/report/page.h"
 #include "bench/report/store.h"
 #include "bench/report/subject.h"
 #include "method/list.h"
@@ -20,6 +22,9 @@ namespace lkao::bench {
 namespace {
 
 using nlohmann::ordered_json;
+
+// Of pictures, behind the name of a contestant.
+constexpr const char* kMismatch = " mismatch";
 
 volatile std::sig_atomic_t is_stopped = 0;
 
@@ -59,6 +64,20 @@ ordered_json describe(const Contestant& contestant, const Subject& subject, cons
   return values;
 }
 
+// The command line that makes the same report.
+std::string command_of(const ReportOptions& options) {
+  std::string text = "lkao-bench report -o FOLDER";
+  if (!options.scenes.views.empty()) text += " --views VIEWS";
+  const auto add_list = [&text](const char* option, const std::vector<std::string>& words) {
+    for (std::size_t i = 0; i < words.size(); ++i) text += (i == 0 ? option : std::string(",")) + words[i];
+  };
+  add_list(" --scenes ", options.scenes.names);
+  add_list(" --families ", options.families);
+  if (options.is_quick) return text + " --quick";
+  return text + fmt::format(" --width {} --height {} --rounds {}", options.scenes.width, options.scenes.height,
+                            options.round_count);
+}
+
 // A report under way.
 class Measuring {
  public:
@@ -81,11 +100,40 @@ class Measuring {
     return true;
   }
 
+  // That draws; "" where nothing is drawn.
+  std::string device() const {
+    for (const ordered_json& subject : subjects_) {
+      for (const ordered_json& result : subject.at("results")) {
+        const std::string device = result.at("device");
+        if (!device.empty()) return device;
+      }
+    }
+    return {};
+  }
+
   ordered_json take_subjects() { return std::move(subjects_); }
 
  private:
   std::string record_name(const Subject& subject, const std::string& contestant) const {
     return fmt::format("{} {}x{} {}", subject.name, options_.scenes.width, options_.scenes.height, contestant);
+  }
+
+  std::optional<std::vector<float>> picture(const Subject& subject, const std::string& contestant) const {
+    return store_.find_picture(record_name(subject, contestant), subject.scene.view.receivers.size());
+  }
+
+  // For the page.
+  ordered_json pictures_of(const Subject& subject, const Converged& rays) const {
+    const int width = subject.scene.view.width;
+    ordered_json pictures;
+    pictures["rays"] = encode_picture(steps_of_occlusion(rays.mean), width);
+    for (const Contestant& contestant : contestants_) {
+      const auto own = picture(subject, contestant.name);
+      if (own) pictures[contestant.name] = encode_picture(steps_of_occlusion(*own), width);
+      const auto mismatches = picture(subject, contestant.name + kMismatch);
+      if (mismatches) pictures[contestant.name + kMismatch] = encode_picture(steps_of_count(*mismatches), width);
+    }
+    return pictures;
   }
 
   bool measure(const Subject& subject) {
@@ -103,6 +151,7 @@ class Measuring {
         if (!measurer) measurer.emplace(subject, constant, linear, options_.round_count);
         const Measured measured = measurer->measure(contestant);
         store_.put_picture(name, measured.picture);
+        if (!measured.mismatches.empty()) store_.put_picture(name + kMismatch, measured.mismatches);
         store_.put(name, describe(contestant, subject, measured));  // last: now it counts
         values = store_.find(name);
         fmt::print("  {:36} {:9.2f} ms  RMSE {:.4f}\n", contestant.name, 1000 * measured.seconds, measured.errors.rmse);
@@ -121,7 +170,12 @@ class Measuring {
                          // Of the mean of both halves: half as much as they differ.
                          {"noise_floor_rmse", 0.5 * constant.between_halves.rmse},
                          {"linear_noise_floor_rmse", 0.5 * linear.between_halves.rmse},
-                         {"results", std::move(results)}});
+                         {"results", std::move(results)},
+                         {"causes", errors_by_cause(contestants_,
+                                                    [&](const std::string& name) {
+                                                      return name == "rays" ? constant.mean : picture(subject, name);
+                                                    })},
+                         {"pictures", pictures_of(subject, constant)}});
     return true;
   }
 
@@ -173,9 +227,10 @@ std::optional<ordered_json> measure_report(const ReportOptions& options) {
   const Processor cpu = processor();
   return ordered_json{{"processor", fmt::format("{}, family {}, model {}", cpu.name, cpu.family, cpu.model)},
                       {"compiler", compiler()},
+                      {"device", measuring.device()},
                       {"commit", commit()},
                       {"date", fmt::format("{:%Y-%m-%d}", fmt::gmtime(std::time(nullptr)))},
-                      {"command", options.command},
+                      {"command", command_of(options)},
                       {"subjects", measuring.take_subjects()}};
 }
 

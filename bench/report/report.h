@@ -17,8 +17,7 @@ struct ReportOptions {
   std::vector<std::string> families;  // of contestants; empty: all
   bool is_quick = false;              // fewer contestants, one radius a scene, smaller pictures
   int round_count = 3;
-  int turn_count = 3;   // of each half of the reference: thousands (1024) of rays
-  std::string command;  // as it was typed
+  int turn_count = 3;  // of each half of the reference: thousands (1024) of rays
 };
 
 // Measures what the folder does not have yet. Returns everything there is to tell; none where Ctrl-C stopped it: what
