@@ -44,12 +44,11 @@ Contestant levels(const char* method, float k, float epsilon_share, bool is_quic
           .is_quick = is_quick};
 }
 
-Contestant embree(const EmbreeMode& mode, int ray_count, bool is_quick) {
-  return {.name = fmt::format("{}, {} rays", mode.name(), ray_count),
+Contestant embree(const char* mode, int ray_count, bool is_quick) {
+  return {.name = fmt::format("{}, {} rays", mode, ray_count),
           .family = Family::embree,
           .method = "embree",
           .ray_count = ray_count,
-          .embree = mode,
           .is_quick = is_quick};
 }
 
@@ -65,9 +64,10 @@ void add_rays(std::vector<Contestant>& all) {
   for (const int ray_count : {16, 32, 64, 128, 256, 512, 1024}) {
     const bool is_quick = ray_count != 32 && ray_count != 512;
     all.push_back(query(ray_count, is_quick));
-    all.push_back(embree({1, Order::coherent}, ray_count, is_quick));
-    // The best of Embree's modes on nearly all machines that were asked (bench/results/rays.csv).
-    all.push_back(embree({16, Order::coherent, Packing::receivers}, ray_count, is_quick));
+    all.push_back(embree("rtcOccluded1", ray_count, is_quick));
+    all.back().embree = EmbreeMode{1, Order::coherent};
+    all.push_back(embree("Embree's best mode", ray_count, is_quick));
+    all.back().is_best_embree = true;
   }
   for (const int ray_count : {64, 256}) {
     for (const PatternKind kind : {PatternKind::random, PatternKind::sobol, PatternKind::fibonacci}) {
@@ -122,7 +122,7 @@ const char* family_name(Family family) {
 
 std::string Contestant::command(const std::string& scene, float radius) const {
   // What the program has no option for.
-  if (embree || pattern != PatternKind::lloyd || table_resolution != 0) return {};
+  if (is_embree_mode() || pattern != PatternKind::lloyd || table_resolution != 0) return {};
   std::string text =
       fmt::format("lkao render {} --radius {:g} --method {} --samples {}", scene, radius, method, ray_count);
   for (const auto& [option, value] : settings) text += fmt::format(" --{} {}", option, value);

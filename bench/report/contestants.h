@@ -30,12 +30,14 @@ struct Contestant {
   PatternKind pattern = PatternKind::lloyd;
   int table_resolution = 0;  // 0: the default
   std::optional<ReportLevels> levels = {};
-  std::optional<EmbreeMode> embree = {};  // in place of the method
+  std::optional<EmbreeMode> embree = {};  // in place of the method,
+  bool is_best_embree = false;            // or the mode that is fastest on the subject
   bool has_linear_falloff = false;        // its own, so that it is compared with rays of that
   bool is_quick = false;                  // takes part in quick reports
 
   // What an artist would type; "" where the program has no such command.
   std::string command(const std::string& scene, float radius) const;
+  bool is_embree_mode() const { return embree || is_best_embree; }
 };
 
 // All of them; those that draw with OpenGL where `has_gl`.

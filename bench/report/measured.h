@@ -17,6 +17,7 @@ struct Measured {
   double seconds = 0;      // a frame; the median of the rounds
   double query_ratio = 0;  // its time over that of the query with 128 rays, which took turns with it; median of rounds
   std::string device;      // none: the CPU
+  std::string mode;        // of Embree
   std::vector<float> picture;
   std::vector<float> mismatches;             // rays of each pixel unlike Embree's; none where all are alike
   PictureErrors errors;                      // from rays of constant falloff

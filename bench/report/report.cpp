@@ -56,6 +56,7 @@ ordered_json describe(const Contestant& contestant, const Subject& subject, cons
                          {"family", family_name(contestant.family)},
                          {"command", contestant.command(subject.scene.name, subject.radius)},
                          {"device", measured.device},
+                         {"mode", measured.mode},
                          {"seconds", measured.seconds},
                          {"query_ratio", measured.query_ratio},
                          {"errors", to_json(measured.errors)}};

@@ -32,7 +32,8 @@ function paretoFront(results) {
 
 function describePoint(result) {
   const device = result.device || report.processor;
-  return `${result.contestant}: ${numberText(1000 * result.seconds, 4)} ms, RMSE ${numberText(result.errors.rmse, 3)}, ` +
+  const name = result.contestant + (result.mode ? ` (${result.mode})` : "");
+  return `${name}: ${numberText(1000 * result.seconds, 4)} ms, RMSE ${numberText(result.errors.rmse, 3)}, ` +
          `bias ${numberText(result.errors.bias, 2)}; ${device}` + (result.command ? `; ${result.command}` : "");
 }
 

@@ -68,7 +68,8 @@ function drawCauses() {
 function heatColour(value, low, high) {
   if (!(value > 0) || high <= low) return "transparent";
   const share = Math.min(Math.max(Math.log(value / low) / Math.log(high / low), 0), 1);
-  return `color-mix(in oklab, #4a90d9 ${Math.round(55 * (1 - share))}%, #f08030 ${Math.round(55 * share)}%, transparent)`;
+  const good = [74, 144, 217], bad = [240, 128, 48];
+  return `rgb(${good.map((from, i) => Math.round(from + share * (bad[i] - from))).join(" ")} / 45%)`;
 }
 
 function drawHeat() {
