@@ -7,6 +7,7 @@
 
 #include "bench/commands.h"
 #include "bench/options.h"
+#include "bench/report/contestants.h"
 #include "bench/report/page.h"
 #include "bench/report/report.h"
 #include "image/atomic_file.h"
@@ -43,7 +44,9 @@ Command add_report_command(CLI::App& program) {
       ->type_name("FOLDER");
   add_scene_options(*app, options->scenes);
   add_size_options(*app, options->scenes);
-  app->add_option("--families", options->families, "Some kinds of contestants")->delimiter(',');
+  app->add_option("--families", options->families, "Some kinds of contestants")
+      ->delimiter(',')
+      ->check(CLI::IsMember(method::list_words(kFamilyWords)));
   app->add_option("--rounds", options->round_count, "measurements of time, of which the median counts")
       ->check(CLI::Range(1, 100))
       ->capture_default_str();

@@ -114,12 +114,6 @@ std::vector<Contestant> all_contestants(bool has_gl) {
   return all;
 }
 
-const char* family_name(Family family) {
-  constexpr const char* kNames[] = {"query",   "patterns", "tables",  "levels", "embree", "raster",
-                                    "volumes", "splats",   "alchemy", "vao",    "gtao",   "vbao"};
-  return kNames[static_cast<int>(family)];
-}
-
 std::string Contestant::command(const std::string& scene, float radius) const {
   // What the program has no option for.
   if (is_embree_mode() || pattern != PatternKind::lloyd || table_resolution != 0) return {};

@@ -8,7 +8,7 @@
 #include "bench/drawn_method.h"
 #include "bench/embree_modes.h"
 #include "lkao/pattern_kind.h"
-#include "lkao/plane_addressing.h"
+#include "method/words.h"
 
 namespace lkao::bench {
 
@@ -20,6 +20,11 @@ struct ReportLevels {
 
 // The kinds that are told apart by colour.
 enum class Family { query, patterns, tables, levels, embree, raster, volumes, splats, alchemy, vao, gtao, vbao };
+inline constexpr method::Word<Family> kFamilyWords[] = {
+    {"query", Family::query},     {"patterns", Family::patterns}, {"tables", Family::tables},
+    {"levels", Family::levels},   {"embree", Family::embree},     {"raster", Family::raster},
+    {"volumes", Family::volumes}, {"splats", Family::splats},     {"alchemy", Family::alchemy},
+    {"vao", Family::vao},         {"gtao", Family::gtao},         {"vbao", Family::vbao}};
 
 struct Contestant {
   std::string name;  // unique, such as "query, 128 rays"
@@ -42,7 +47,5 @@ struct Contestant {
 
 // All of them; those that draw with OpenGL where `has_gl`.
 std::vector<Contestant> all_contestants(bool has_gl);
-
-const char* family_name(Family family);
 
 }  // namespace lkao::bench

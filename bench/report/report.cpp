@@ -43,9 +43,9 @@ class StopsAtInterrupt {
 std::vector<Contestant> wanted_contestants(const ReportOptions& options) {
   std::vector<Contestant> wanted;
   for (Contestant& contestant : all_contestants(method::method_named("raster").is_built())) {
-    const bool is_named = options.families.empty() ||
-                          std::find(options.families.begin(), options.families.end(), family_name(contestant.family)) !=
-                              options.families.end();
+    const bool is_named =
+        options.families.empty() || std::find(options.families.begin(), options.families.end(),
+                                              word_of(kFamilyWords, contestant.family)) != options.families.end();
     if (is_named && (contestant.is_quick || !options.is_quick)) wanted.push_back(std::move(contestant));
   }
   return wanted;
@@ -53,7 +53,7 @@ std::vector<Contestant> wanted_contestants(const ReportOptions& options) {
 
 ordered_json describe(const Contestant& contestant, const Subject& subject, const Measured& measured) {
   ordered_json values = {{"contestant", contestant.name},
-                         {"family", family_name(contestant.family)},
+                         {"family", word_of(kFamilyWords, contestant.family)},
                          {"command", contestant.command(subject.scene.name, subject.radius)},
                          {"device", measured.device},
                          {"mode", measured.mode},
@@ -84,9 +84,9 @@ class Measuring {
  public:
   explicit Measuring(const ReportOptions& options)
       : options_(options),
-        store_(options.folder, program_fingerprint()),
         names_(study_scene_names(options.scenes)),
-        contestants_(wanted_contestants(options)) {}
+        contestants_(wanted_contestants(options)),
+        store_(options.folder, program_fingerprint()) {}
 
   // False where it was stopped.
   bool run() {
@@ -181,9 +181,9 @@ class Measuring {
   }
 
   const ReportOptions& options_;
-  ReportStore store_;
   std::vector<std::string> names_;
   std::vector<Contestant> contestants_;
+  ReportStore store_;  // last: where the others find a fault, no folder is made
   ordered_json subjects_ = ordered_json::array();
 };
 

@@ -72,6 +72,7 @@ if(LKAO_BUILD_TESTS)
 endif()
 if(LKAO_BUILD_BENCH)
   lkao_find(benchmark libbenchmark-dev CONFIG)
+  lkao_find(ZLIB zlib1g-dev)
 endif()
 
 if(lkao_missing)
