@@ -31,23 +31,6 @@ std::vector<FrameSetup> methods() {
            .pass = {.precision = gl::Precision::double_precision}}};
 }
 
-// Table 2 of Laine & Karras 2010, Sec. 6: one-sided triangles, or the third test would have nothing to do. The pass's
-// own test of the reach stays off, since it comes after them and would take their work.
-std::vector<FrameSetup> culls() {
-  gl::RasterOptions raster{.culls = {false, false, false, false, false, false}};
-  std::vector<FrameSetup> setups = {{.name = "depth test only", .sidedness = Sidedness::one_sided, .raster = raster}};
-  const std::pair<const char*, bool gl::Culls::*> added[] = {{"+ 1. far depth", &gl::Culls::far_depth},
-                                                             {"+ 2. bounding sphere", &gl::Culls::bounding_sphere},
-                                                             {"+ 3. facing", &gl::Culls::facing},
-                                                             {"+ 4. plane distance", &gl::Culls::plane_distance},
-                                                             {"+ 5. horizon", &gl::Culls::horizon}};
-  for (const auto& [name, cull] : added) {
-    raster.culls.*cull = true;
-    setups.push_back({.name = name, .sidedness = Sidedness::one_sided, .raster = raster});
-  }
-  return setups;
-}
-
 // The paper's alpha, from prisms only to billboards only; 0.2 comes last, to be compared with.
 std::vector<FrameSetup> shapes() {
   std::vector<FrameSetup> setups;
@@ -70,7 +53,7 @@ std::vector<FrameSetup> back_ends() {
 }
 
 constexpr method::Word<std::vector<FrameSetup> (*)()> kStudies[] = {
-    {"methods", methods}, {"culls", culls}, {"shapes", shapes}, {"back_ends", back_ends}};
+    {"methods", methods}, {"culls", cull_setups}, {"shapes", shapes}, {"back_ends", back_ends}};
 
 struct RasterOptions {
   StudySceneOptions scenes = {.views = {}, .meshes = {}, .names = {}, .width = 512, .height = 384};

@@ -21,6 +21,21 @@ FrameResult result_of(const method::Answers& answers, const method::Answers& exa
 
 }  // namespace
 
+std::vector<FrameSetup> cull_setups() {
+  gl::RasterOptions raster{.culls = {false, false, false, false, false, false}};
+  std::vector<FrameSetup> setups = {{.name = "depth test only", .sidedness = Sidedness::one_sided, .raster = raster}};
+  const std::pair<const char*, bool gl::Culls::*> added[] = {{"+ 1. far depth", &gl::Culls::far_depth},
+                                                             {"+ 2. bounding sphere", &gl::Culls::bounding_sphere},
+                                                             {"+ 3. facing", &gl::Culls::facing},
+                                                             {"+ 4. plane distance", &gl::Culls::plane_distance},
+                                                             {"+ 5. horizon", &gl::Culls::horizon}};
+  for (const auto& [name, cull] : added) {
+    raster.culls.*cull = true;
+    setups.push_back({.name = name, .sidedness = Sidedness::one_sided, .raster = raster});
+  }
+  return setups;
+}
+
 RasterFrames::RasterFrames(raster::Rasterizer& rasterizer, const StudyScene& scene, float radius,
                            const FrameOptions& options)
     : rasterizer_(rasterizer),

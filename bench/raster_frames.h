@@ -22,6 +22,10 @@ struct FrameSetup {
   gl::RasterOptions raster = {};
 };
 
+// Table 2 of Laine & Karras 2010, Sec. 6: one-sided triangles, or the third test would have nothing to do. The pass's
+// own test of the reach stays off, since it comes after them and would take their work.
+std::vector<FrameSetup> cull_setups();
+
 struct FrameResult {
   double milliseconds = 0;  // of draw and resolve, the median
   double mrays_per_second = 0;

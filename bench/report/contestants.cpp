@@ -1,5 +1,6 @@
 #include "bench/report/contestants.h"
 
+#include <string>
 #include <utility>
 
 #include <fmt/format.h>
@@ -87,6 +88,23 @@ void add_screen(std::vector<Contestant>& all, Family family, const char* method)
   all.push_back(drawn(family, method, "guard band", {{"guard-band", "64"}}, false));
 }
 
+// Table 1 of VAO++.
+void add_vao_optimisations(std::vector<Contestant>& all) {
+  const std::pair<const char*, ChangedSettings> kinds[] = {
+      {"plain", {{"vao-fewest-width", "0"}, {"vao-culling", "off"}}},
+      {"adaptive", {{"vao-culling", "off"}}},
+      {"culled", {{"vao-fewest-width", "0"}}},
+      {"both", {}}};
+  for (const int samples : {2, 4, 8, 16, 32}) {
+    for (const auto& [what, settings] : kinds) {
+      ChangedSettings changed = settings;
+      changed.emplace_back("vao-samples", std::to_string(samples));
+      changed.emplace_back("filter", "0");
+      all.push_back(drawn(Family::vao, "vao", fmt::format("{} samples, {}", samples, what), changed, false));
+    }
+  }
+}
+
 void add_drawn(std::vector<Contestant>& all) {
   all.push_back(drawn(Family::raster, "raster", "nearest", {{"masks", "nearest"}}, true));
   all.push_back(drawn(Family::raster, "raster", "exact", {{"masks", "exact"}}, false));
@@ -101,6 +119,7 @@ void add_drawn(std::vector<Contestant>& all) {
   all.push_back(drawn(Family::splats, "splat", "far half", {{"halves", "far"}}, false));
   add_screen(all, Family::alchemy, "alchemy");
   add_screen(all, Family::vao, "vao");
+  add_vao_optimisations(all);
   add_screen(all, Family::gtao, "gtao");
   add_screen(all, Family::vbao, "vbao");
 }

@@ -71,8 +71,6 @@ std::vector<float> mismatches(const Masks& masks, const Masks& expected, const s
 
 struct Measurer::State {
   const Subject& subject;
-  const Converged& constant;
-  const Converged& linear;
   int round_count;
   method::Occluders occluders;
   std::optional<reference::EmbreeReference> oracle;
@@ -93,7 +91,9 @@ struct Measurer::State {
   const lod::Chain& chain_of(const ReportLevels& levels);
   const Masks& expected_of(const Contestant& contestant);
   Answer answer_by_embree(const Contestant& contestant);
+  Answer answer_by(method::Method& method, int word_count) const;
   const EmbreeMode& best_embree();
+  Timed run(const Contestant& contestant, Frame& frame);
   double seconds_of_yardstick();
 };
 
@@ -167,73 +167,72 @@ Answer Measurer::State::answer_by_embree(const Contestant& contestant) {
   };
 }
 
+Answer Measurer::State::answer_by(method::Method& method, int word_count) const {
+  const std::size_t mask_size = method.abilities().masks ? pixels().size() * static_cast<std::size_t>(word_count) : 0;
+  return [this, &method, mask_size](Frame& frame) {
+    frame.occlusion.resize(pixels().size());
+    frame.masks.resize(mask_size);
+    frame.seconds = method.answer(pixels(), {.occlusion = frame.occlusion, .mask_words = frame.masks}, 0).seconds;
+  };
+}
+
 double Measurer::State::seconds_of_yardstick() {
   std::vector<float> occlusion(pixels().size());
   return yardstick->answer(pixels(), {.occlusion = occlusion}, 0).seconds;
 }
 
-Measurer::Measurer(const Subject& subject, const Converged& constant, const Converged& linear, int round_count)
-    : state_(new State{subject,
-                       constant,
-                       linear,
-                       round_count,
-                       method::Occluders(subject.scene.mesh),
-                       {},
-                       {},
-                       {},
-                       {},
-                       {},
-                       {},
-                       nullptr}) {
+Measurer::Measurer(const Subject& subject, int round_count)
+    : state_(new State{subject, round_count, method::Occluders(subject.scene.mesh), {}, {}, {}, {}, {}, {}, nullptr}) {
   state_->yardstick = state_->open({.name = "", .method = "bvh"}, state_->occluders);
 }
 
 Measurer::~Measurer() = default;
 
-Measured Measurer::measure(const Contestant& contestant) {
-  State& state = *state_;
-  Measured measured;
+// Opened, or made of what Embree has, and asked in rounds.
+Timed Measurer::State::run(const Contestant& contestant, Frame& frame) {
+  Timed timed;
   std::unique_ptr<method::Method> opened;
   std::optional<method::Occluders> simplified;
   Answer answer;
   if (contestant.is_embree_mode()) {
-    answer = state.answer_by_embree(contestant);
-    measured.mode = (contestant.embree ? *contestant.embree : state.best_embree()).name();
+    answer = answer_by_embree(contestant);
+    timed.mode = (contestant.embree ? *contestant.embree : best_embree()).name();
   } else {
-    if (contestant.levels) {
-      simplified.emplace(state.subject.scene.mesh, state.chain_of(*contestant.levels), state.subject.radius);
-    }
-    opened = state.open(contestant, simplified ? *simplified : state.occluders);
-    measured.device = opened->device();
-    const bool has_masks = opened->abilities().masks;
-    const int word_count = word_count_of(contestant.ray_count);
-    answer = [&state, &opened, has_masks, word_count](Frame& frame) {
-      frame.occlusion.resize(state.pixels().size());
-      if (has_masks) frame.masks.resize(state.pixels().size() * static_cast<std::size_t>(word_count));
-      const method::Answered answered =
-          opened->answer(state.pixels(), {.occlusion = frame.occlusion, .mask_words = frame.masks}, 0);
-      frame.seconds = answered.seconds;
-    };
+    if (contestant.levels) simplified.emplace(subject.scene.mesh, chain_of(*contestant.levels), subject.radius);
+    opened = open(contestant, simplified ? *simplified : occluders);
+    answer = answer_by(*opened, word_count_of(contestant.ray_count));
+    timed.device = opened->device();
   }
-
-  Frame frame;
   std::vector<double> seconds, ratios;
   answer(frame);  // once for the caches
-  for (int round = 0; round < state.round_count; ++round) {
-    const double yardstick = state.seconds_of_yardstick();
+  for (int round = 0; round < round_count; ++round) {
+    const double of_yardstick = seconds_of_yardstick();
     answer(frame);
     seconds.push_back(frame.seconds);
-    ratios.push_back(frame.seconds / yardstick);
+    ratios.push_back(frame.seconds / of_yardstick);
   }
-  measured.seconds = method::median(seconds);
-  measured.query_ratio = method::median(ratios);
-  const scene::ReceiverImage& view = state.subject.scene.view;
-  measured.errors = errors_of(frame.occlusion, state.constant.mean, view.width, view.height);
+  timed.seconds = method::median(seconds);
+  timed.query_ratio = method::median(ratios);
+  if (opened) timed.keys = opened->remarks().keys;
+  return timed;
+}
+
+Timed Measurer::time(const Contestant& contestant) {
+  Frame frame;
+  return state_->run(contestant, frame);
+}
+
+Measured Measurer::measure(const Contestant& contestant, const Converged& constant, const Converged& linear) {
+  Frame frame;
+  Measured measured;
+  static_cast<Timed&>(measured) = state_->run(contestant, frame);
+  const scene::ReceiverImage& view = state_->subject.scene.view;
+  measured.errors = errors_of(frame.occlusion, constant.mean, view.width, view.height);
   if (contestant.has_linear_falloff) {
-    measured.own_falloff = errors_of(frame.occlusion, state.linear.mean, view.width, view.height);
+    measured.own_falloff = errors_of(frame.occlusion, linear.mean, view.width, view.height);
   }
   if (!frame.masks.empty()) {
-    const Masks& expected = state.expected_of(contestant);
+    const Masks& expected = state_->expected_of(contestant);
     const std::uint64_t count = reference::count_mismatched_rays(frame.masks, expected);
     const double rays = static_cast<double>(view.receiver_count) * contestant.ray_count;
     measured.mismatch_rate = static_cast<double>(count) / rays;

@@ -13,11 +13,15 @@
 
 namespace lkao::bench {
 
-struct Measured {
+struct Timed {
   double seconds = 0;      // a frame; the median of the rounds
   double query_ratio = 0;  // its time over that of the query with 128 rays, which took turns with it; median of rounds
   std::string device;      // none: the CPU
   std::string mode;        // of Embree
+  nlohmann::ordered_json keys;  // what the method says of itself
+};
+
+struct Measured : Timed {
   std::vector<float> picture;
   std::vector<float> mismatches;             // rays of each pixel unlike Embree's; none where all are alike
   PictureErrors errors;                      // from rays of constant falloff
@@ -30,12 +34,14 @@ nlohmann::ordered_json to_json(const PictureErrors& errors);
 // Measures contestants of one subject, of which it keeps what they share.
 class Measurer {
  public:
-  // Of the rays: constant and linear falloff.
-  Measurer(const Subject& subject, const Converged& constant, const Converged& linear, int round_count);
+  Measurer(const Subject& subject, int round_count);
   ~Measurer();
 
-  // Throws std::runtime_error or std::invalid_argument with one line where the contestant cannot answer.
-  Measured measure(const Contestant& contestant);
+  // Against rays of constant and of linear falloff. Throws std::runtime_error or std::invalid_argument with one line
+  // where the contestant cannot answer.
+  Measured measure(const Contestant& contestant, const Converged& constant, const Converged& linear);
+  // The time alone.
+  Timed time(const Contestant& contestant);
 
  private:
   struct State;

@@ -14,8 +14,13 @@
 #include "bench/report/contestants.h"
 #include "bench/report/measured.h"
 #include "bench/report/page.h"
+#include "bench/report/papers.h"
 #include "bench/report/store.h"
 #include "bench/report/subject.h"
+#if LKAO_BENCH_GL
+#include "bench/raster_frames.h"
+#include "method/gl_device.h"
+#endif
 #include "method/list.h"
 
 namespace lkao::bench {
@@ -59,6 +64,7 @@ ordered_json describe(const Contestant& contestant, const Subject& subject, cons
                          {"mode", measured.mode},
                          {"seconds", measured.seconds},
                          {"query_ratio", measured.query_ratio},
+                         {"keys", measured.keys},
                          {"errors", to_json(measured.errors)}};
   if (measured.own_falloff) values["own_falloff_errors"] = to_json(*measured.own_falloff);
   if (measured.mismatch_rate) values["mismatch_rate"] = *measured.mismatch_rate;
@@ -137,6 +143,65 @@ class Measuring {
     return pictures;
   }
 
+  // Of the store, or what `measure` finds, which is put there.
+  template <class Measure>
+  ordered_json stored(const std::string& name, const Measure& measure) const {
+    if (const auto values = store_.find(name)) return *values;
+    store_.put(name, measure());
+    return *store_.find(name);
+  }
+
+  // Times at shares of the radius.
+  ordered_json sweep(const Subject& subject) const {
+    ordered_json steps = ordered_json::array();
+    for (const float share : kSweptShares) {
+      const Subject other{subject.name, subject.scene, share * subject.radius};
+      steps.push_back(stored(record_name(subject, fmt::format("times at {} of the radius", share)), [&] {
+        Measurer measurer(other, options_.round_count);
+        ordered_json step = {{"radius", other.radius}};
+        for (const Contestant& contestant : contestants_) {
+          if (is_swept(contestant)) step[contestant.name] = measurer.time(contestant).seconds;
+        }
+        return step;
+      }));
+    }
+    return steps;
+  }
+
+#if LKAO_BENCH_GL
+  // Table 2 of Laine & Karras.
+  ordered_json culls(const Subject& subject) const {
+    return stored(record_name(subject, "culls"),
+                  [&] {
+                    raster::Rasterizer rasterizer(method::prepare_device({}));
+                    const std::vector<FrameSetup> setups = cull_setups();
+                    const std::vector<FrameResult> results =
+                        RasterFrames(rasterizer, subject.scene, subject.radius, {.round_count = options_.round_count})
+                            .draw(setups, true);
+                    const FrameResult& last = results.back();
+                    ordered_json rows = ordered_json::array();
+                    for (std::size_t i = 0; i < setups.size(); ++i) {
+                      const double survivors = static_cast<double>(results[i].counts.survivors);
+                      rows.push_back({{"tests", setups[i].name},
+                                      {"fragments", survivors / static_cast<double>(last.counts.survivors)},
+                                      {"speed", last.milliseconds / results[i].milliseconds}});
+                    }
+                    return ordered_json{{"rows", rows}};
+                  })
+        .at("rows");
+  }
+#endif
+
+  // What only papers ask for, in full reports.
+  void add_papers_own(const Subject& subject, ordered_json& values) const {
+    if (options_.is_quick) return;
+    if (subject.radius == subject.scene.radii.front()) values["sweep"] = sweep(subject);
+#if LKAO_BENCH_GL
+    const auto draws = [](const Contestant& contestant) { return contestant.family == Family::raster; };
+    if (std::any_of(contestants_.begin(), contestants_.end(), draws)) values["culls"] = culls(subject);
+#endif
+  }
+
   bool measure(const Subject& subject) {
     fmt::print("{}: {} contestants\n", subject.name, contestants_.size());
     const Converged constant = converge(subject, Falloff::constant(), options_.turn_count, store_);
@@ -149,8 +214,8 @@ class Measuring {
       const std::string name = record_name(subject, contestant.name);
       std::optional<ordered_json> values = store_.find(name);
       if (!values) {
-        if (!measurer) measurer.emplace(subject, constant, linear, options_.round_count);
-        const Measured measured = measurer->measure(contestant);
+        if (!measurer) measurer.emplace(subject, options_.round_count);
+        const Measured measured = measurer->measure(contestant, constant, linear);
         store_.put_picture(name, measured.picture);
         if (!measured.mismatches.empty()) store_.put_picture(name + kMismatch, measured.mismatches);
         store_.put(name, describe(contestant, subject, measured));  // last: now it counts
@@ -161,23 +226,25 @@ class Measuring {
       results.push_back(std::move(*values));
     }
     const scene::ReceiverImage& view = subject.scene.view;
-    subjects_.push_back({{"scene", subject.scene.name},
-                         {"radius", subject.radius},
-                         {"width", view.width},
-                         {"height", view.height},
-                         {"triangles", subject.scene.mesh.triangles.size()},
-                         {"receivers", view.receiver_count},
-                         {"reference_rays", constant.ray_count},
-                         // Of the mean of both halves: half as much as they differ.
-                         {"noise_floor_rmse", 0.5 * constant.between_halves.rmse},
-                         {"linear_noise_floor_rmse", 0.5 * linear.between_halves.rmse},
-                         {"results", std::move(results)},
-                         {"causes", errors_by_cause(contestants_,
-                                                    [&](const std::string& name) {
-                                                      return name == "rays" ? constant.mean : picture(subject, name);
-                                                    })},
-                         {"pictures", pictures_of(subject, constant)}});
-    return true;
+    ordered_json values = {{"scene", subject.scene.name},
+                           {"radius", subject.radius},
+                           {"width", view.width},
+                           {"height", view.height},
+                           {"triangles", subject.scene.mesh.triangles.size()},
+                           {"receivers", view.receiver_count},
+                           {"reference_rays", constant.ray_count},
+                           // Of the mean of both halves: half as much as they differ.
+                           {"noise_floor_rmse", 0.5 * constant.between_halves.rmse},
+                           {"linear_noise_floor_rmse", 0.5 * linear.between_halves.rmse},
+                           {"results", std::move(results)},
+                           {"causes", errors_by_cause(contestants_,
+                                                      [&](const std::string& name) {
+                                                        return name == "rays" ? constant.mean : picture(subject, name);
+                                                      })},
+                           {"pictures", pictures_of(subject, constant)}};
+    add_papers_own(subject, values);
+    subjects_.push_back(std::move(values));
+    return is_stopped == 0;
   }
 
   const ReportOptions& options_;
@@ -226,13 +293,17 @@ std::optional<ordered_json> measure_report(const ReportOptions& options) {
   Measuring measuring(options);
   if (!measuring.run()) return std::nullopt;
   const Processor cpu = processor();
+  const std::string device = measuring.device();
+  ordered_json subjects = measuring.take_subjects();
+  ordered_json papers = paper_tables(subjects);
   return ordered_json{{"processor", fmt::format("{}, family {}, model {}", cpu.name, cpu.family, cpu.model)},
                       {"compiler", compiler()},
-                      {"device", measuring.device()},
+                      {"device", device},
                       {"commit", commit()},
                       {"date", fmt::format("{:%Y-%m-%d}", fmt::gmtime(std::time(nullptr)))},
                       {"command", command_of(options)},
-                      {"subjects", measuring.take_subjects()}};
+                      {"subjects", std::move(subjects)},
+                      {"papers", std::move(papers)}};
 }
 
 void write_report_csv(const std::string& folder, const ordered_json& report) {
