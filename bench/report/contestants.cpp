@@ -1,6 +1,7 @@
 #include "bench/report/contestants.h"
 
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
@@ -28,7 +29,8 @@ Contestant pattern(PatternKind kind, int ray_count, bool is_quick) {
 }
 
 Contestant table(const char* kernel, int resolution, int ray_count, bool is_quick) {
-  return {.name = fmt::format("table {}, {}^3, {} rays", kernel, resolution, ray_count),
+  return {.name = fmt::format("table {}, {}^3, {} rays", std::string_view(kernel) == "table" ? "exact" : kernel,
+                              resolution, ray_count),
           .family = Family::tables,
           .method = "bvh",
           .settings = {{"kernel", kernel}},

@@ -45,7 +45,8 @@ function valueOf(result, key) {
 function numberText(value, digits) {
   if (value === undefined || value === null) return "–";
   if (value === 0) return "0";
-  return Math.abs(value) < 1e-3 || Math.abs(value) >= 1e5 ? value.toExponential(1) : String(+value.toPrecision(digits));
+  return Math.abs(value) < 1e-3 || Math.abs(value) >= 1e5 ? value.toExponential(1).replace(".0e", "e")
+                                                          : String(+value.toPrecision(digits));
 }
 
 const subjectName = (subject) => `${subject.scene}, radius ${numberText(subject.radius, 4)}`;
