@@ -32,15 +32,14 @@ void require_channel(const OcclusionTarget& target) {
   }
 }
 
-// Of each component of a texture of normalised numbers; 0 of others.
+}  // namespace
+
 glm::vec4 steps_to_one(ObjectName texture) {
   glm::vec4 steps{0};
   if (texture == 0 || !is_unorm(texture)) return steps;
   for (int component = 0; component < 4; ++component) steps[component] = step_count(texture, component);
   return steps;
 }
-
-}  // namespace
 
 void validate(const OcclusionTarget& target, int width, int height) {
   require_size("occlusion", target.texture, {width, height, target.part});

@@ -17,6 +17,9 @@ void validate_source(const OcclusionTarget& source, int width, int height);
 // Requires validate(). Without a texture only the block is set.
 void bind(const OcclusionTarget& target, const UniformBuffer<TargetBlock>& block, const Sampler& plain_sampler);
 
+// From 0 to 1, of each component of a texture of normalised numbers; 0 of others. For at_nearest_step() of the shader.
+glm::vec4 steps_to_one(ObjectName texture);
+
 // For writing by a shader.
 void bind_image(unsigned unit, ObjectName texture);
 

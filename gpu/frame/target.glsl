@@ -8,9 +8,8 @@ layout(binding = LKAO_UNIT_TARGET) uniform sampler2D target_texels;
 ivec2 target_texel(ivec2 pixel) { return ivec2(target.first_x, target.first_y) + pixel; }
 
 // Stores of normalised numbers may round to the nearest or cut off (NVIDIA's do): either finds this step.
-vec4 at_nearest_step(vec4 texel) {
-  return mix((floor(texel * target.steps + 0.5) + 0.25) / max(target.steps, 1.0), texel,
-             equal(target.steps, vec4(0)));
+vec4 at_nearest_step(vec4 texel, vec4 steps) {
+  return mix((floor(texel * steps + 0.5) + 0.25) / max(steps, 1.0), texel, equal(steps, vec4(0)));
 }
 
 void write_value(ivec2 pixel, float value) {
@@ -20,7 +19,7 @@ void write_value(ivec2 pixel, float value) {
     texel = texelFetch(target_texels, place, 0);
     texel[target.channel] = value;
   }
-  imageStore(target_image, place, at_nearest_step(texel));
+  imageStore(target_image, place, at_nearest_step(texel, target.steps));
 }
 
 // Once a pixel: what others have written to it is not read again.

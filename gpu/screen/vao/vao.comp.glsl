@@ -81,7 +81,8 @@ vec3 bled_light(vec3 position, vec3 normal, Ball ball, Samples samples) {
 
 void write_bleeding(ivec2 pixel, vec3 light) {
   if (pass.bleeding_stride == 0) return;
-  imageStore(bleeding, ivec2(pass.bleeding_x, pass.bleeding_y) + pixel, vec4(light, 1));
+  imageStore(bleeding, ivec2(pass.bleeding_x, pass.bleeding_y) + pixel,
+             at_nearest_step(vec4(light, 1), pass.bleeding_steps));
 }
 
 void main() {

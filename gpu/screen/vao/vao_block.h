@@ -14,7 +14,8 @@ vec4 places[31];  // all sample sets: two places each
 // The lines of view: through the middle of the picture's corner at pixel (0, 0), and from pixel to pixel. Perspective:
 // points at distance 1; orthographic: points at distance 0.
 vec4 line_first, line_right, line_up;
-vec4 parallel;  // orthographic: how they go on, by 1 along the view
+vec4 parallel;        // orthographic: how they go on, by 1 along the view
+vec4 bleeding_steps;  // as TargetBlock::steps
 float ball_radius;
 float radius;      // twice that
 float thickness;   // below 0: infinite

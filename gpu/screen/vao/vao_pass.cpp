@@ -151,6 +151,7 @@ VaoBlock make_block(const VaoOptions& options, const ViewBlock& view, const Blee
   if (bleeding != nullptr) {
     const Part first = bleeding->part.value_or(Part{});
     block.bleeding_stride = options.bleeding_stride;
+    block.bleeding_steps = steps_to_one(bleeding->texture);
     block.bleeding_x = first.x;
     block.bleeding_y = first.y;
   }
