@@ -118,7 +118,7 @@ float occlusion_of(Receiver receiver) {
     sum += weight * slice_occlusion(receiver, slice, move, random);
     weight_sum += weight;
   }
-  return weight_sum > 0.0 ? sum / weight_sum : 0.0;
+  return weight_sum > 0.0 ? min(sum / weight_sum, 1.0) : 0.0;  // on GPUs a quotient may round up
 }
 
 void main() {

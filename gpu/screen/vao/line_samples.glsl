@@ -80,7 +80,8 @@ void add_pipe(Ball ball, ivec2 pixel, vec4 seen, inout Pipes pipes) {
   pipes.whole += whole;
 }
 
-float occlusion_of(Pipes pipes) { return pipes.whole > 0.0 ? 1.0 - pipes.free / pipes.whole : 0.0; }
+// On GPUs a number divided by itself may be a little more than 1.
+float occlusion_of(Pipes pipes) { return pipes.whole > 0.0 ? max(1.0 - pipes.free / pipes.whole, 0.0) : 0.0; }
 
 // The places of a pixel's samples in the unit disc.
 struct Samples {
