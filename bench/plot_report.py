@@ -1,6 +1,8 @@
 #!/usr/bin/python3
 """Plots the CSV of lkao-bench report: time against error, a panel for each of some scenes.
 
+Triangles are drawn by OpenGL, circles answered by the CPU; the line is the Pareto front, dashed the noise floor.
+
 usage: plot_report.py report.csv report.png SCENE,RADIUS...
 
 Needs python3-matplotlib.
@@ -23,7 +25,8 @@ def draw(axes, rows, title):
     for family in dict.fromkeys(row["family"] for row in rows):
         chosen = [row for row in rows if row["family"] == family]
         axes.scatter([float(row["milliseconds"]) for row in chosen], [float(row["rmse"]) for row in chosen],
-                     color=COLORS[family], label=family, s=28, edgecolors="white", linewidths=0.5, zorder=3)
+                     color=COLORS[family], label=family, s=32, edgecolors="white", linewidths=0.5, zorder=3,
+                     marker="^" if chosen[-1]["device"] else "o")
     front, best = [], float("inf")
     for row in sorted(rows, key=lambda row: float(row["milliseconds"])):
         if float(row["rmse"]) < best:
@@ -53,7 +56,7 @@ def main():
             sys.exit(f"plot_report.py: no rows of {subject} in {sys.argv[1]}")
         draw(axes, chosen, f"{scene}, radius {radius}")
     panels[0][0].set_ylabel("RMSE of occlusion")
-    panels[0][-1].legend(fontsize="small", loc="upper right", ncols=2)
+    panels[0][-1].legend(fontsize="small", loc="lower left", ncols=2)
     figure.tight_layout()
     figure.savefig(sys.argv[2], dpi=100)
 

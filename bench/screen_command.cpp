@@ -55,11 +55,11 @@ std::vector<ScreenVariant> error_variants(const ScreenKind& kind) {
   std::vector<ScreenVariant> variants = {{"default", {}},
                                          {"no filter", {{"filter", "0"}}},
                                          {"every second pixel", {{"step", "2"}}},
-                                         {"converged, guard band", {{"converged", "on"}, {"guard-band", "64"}}}};
+                                         {"converged; guard band", {{"converged", "on"}, {"guard-band", "64"}}}};
   // Alchemy's picture is cut off at black: a smaller intensity is more than a factor.
   if (std::string_view(kind.method) == "alchemy") {
     variants.push_back({"intensity 0.8", {{"alchemy-intensity", "0.8"}}});
-    variants.push_back({"converged, intensity 0.8", {{"converged", "on"}, {"alchemy-intensity", "0.8"}}});
+    variants.push_back({"converged; intensity 0.8", {{"converged", "on"}, {"alchemy-intensity", "0.8"}}});
   }
   if (std::string_view(kind.method) == "vao") {
     for (const char* culling : {"off", "careful", "greedy"}) {
