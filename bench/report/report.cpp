@@ -101,7 +101,7 @@ class Measuring {
       std::vector<float> radii = scene.radii;
       if (options_.is_quick) radii = {scene.radii.front()};
       for (const float radius : radii) {
-        if (!measure({fmt::format("{} {:g}", name, radius), scene, radius})) return false;
+        if (!measure(Subject(scene, radius))) return false;
       }
     }
     return true;
@@ -122,7 +122,7 @@ class Measuring {
 
  private:
   std::string record_name(const Subject& subject, const std::string& contestant) const {
-    return fmt::format("{} {}x{} {}", subject.name, options_.scenes.width, options_.scenes.height, contestant);
+    return subject.key + ", " + contestant;
   }
 
   std::optional<std::vector<float>> picture(const Subject& subject, const std::string& contestant) const {
@@ -155,7 +155,7 @@ class Measuring {
   ordered_json sweep(const Subject& subject) const {
     ordered_json steps = ordered_json::array();
     for (const float share : kSweptShares) {
-      const Subject other{subject.name, subject.scene, share * subject.radius};
+      const Subject other(subject.scene, share * subject.radius);
       steps.push_back(stored(record_name(subject, fmt::format("times at {} of the radius", share)), [&] {
         Measurer measurer(other, options_.round_count);
         ordered_json step = {{"radius", other.radius}};

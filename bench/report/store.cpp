@@ -68,12 +68,13 @@ void ReportStore::put_picture(const std::string& name, const std::vector<float>&
   image::write_file(path_of(name, ".f32"), std::string(bytes, picture.size() * sizeof(float)));
 }
 
-std::string program_fingerprint() {
+std::string fingerprint(std::string_view bytes) {
   // FNV-1a.
   std::uint64_t hash = 14695981039346656037u;
-  const std::optional<std::string> bytes = read("/proc/self/exe");
-  for (const char c : bytes.value_or("")) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211u;
+  for (const char c : bytes) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211u;
   return fmt::format("{:016x}", hash);
 }
+
+std::string program_fingerprint() { return fingerprint(read("/proc/self/exe").value_or("")); }
 
 }  // namespace lkao::bench

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <nlohmann/json.hpp>
@@ -33,7 +34,9 @@ class ReportStore {
   std::string program_;
 };
 
-// Tells builds apart: of the bytes of the program that is running.
+// Of any bytes: tells apart what differs.
+std::string fingerprint(std::string_view bytes);
+// Tells builds apart: of the program that is running.
 std::string program_fingerprint();
 
 }  // namespace lkao::bench

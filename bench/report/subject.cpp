@@ -1,6 +1,7 @@
 #include "bench/report/subject.h"
 
 #include <cstddef>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -20,7 +21,7 @@ std::vector<float> mean_of_both(const std::vector<float>& first, const std::vect
 
 std::vector<float> half(const Subject& subject, const Falloff& falloff, int first_turn, int turn_count,
                         const ReportStore& store) {
-  const std::string name = fmt::format("{}, {} falloff, turns {} to {}", subject.name, falloff.name(), first_turn,
+  const std::string name = fmt::format("{}, {} falloff, turns {} to {}", subject.key, falloff.name(), first_turn,
                                        first_turn + turn_count - 1);
   const std::size_t pixel_count = subject.scene.view.receivers.size();
   if (store.find(name)) {
@@ -33,6 +34,13 @@ std::vector<float> half(const Subject& subject, const Falloff& falloff, int firs
 }
 
 }  // namespace
+
+Subject::Subject(const StudyScene& study_scene, float ao_radius)
+    : scene(study_scene), radius(ao_radius), name(fmt::format("{} {:g}", study_scene.name, ao_radius)) {
+  const std::vector<Receiver>& seen = scene.view.receivers;
+  const std::string_view bytes(reinterpret_cast<const char*>(seen.data()), seen.size() * sizeof(Receiver));
+  key = fmt::format("{} {}x{} {}", name, scene.view.width, scene.view.height, fingerprint(bytes));
+}
 
 Converged converge(const Subject& subject, const Falloff& falloff, int turn_count, const ReportStore& store) {
   const std::vector<float> first = half(subject, falloff, kFirstTurn, turn_count, store);

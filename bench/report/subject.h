@@ -20,9 +20,12 @@ struct Converged {
 };
 
 struct Subject {
-  std::string name;  // unique: scene and radius
+  Subject(const StudyScene& study_scene, float ao_radius);
+
   const StudyScene& scene;
   float radius;
+  std::string name;  // scene and radius
+  std::string key;   // for the store: another camera, size, or mesh that is seen, is another subject
 };
 
 // From the store, or cast and put there: 2 x `turn_count` times 1024 rays a pixel.
