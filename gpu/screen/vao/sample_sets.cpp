@@ -94,6 +94,7 @@ std::vector<glm::dvec2> spread(const std::vector<Dart>& darts, lut::RandomStream
   std::vector<glm::dvec2> best;
   for (std::size_t start = 0; start < start_count; ++start) {
     std::vector<glm::dvec2> places;
+    places.reserve(darts.size());
     for (const Dart& dart : darts) places.push_back(turned(dart, static_cast<int>(random.next_below(9))));
     climb(darts, places);
     if (best.empty() || sum_of_distances(places) > sum_of_distances(best)) best = places;
