@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <vector>
 
-#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
+#include <glm/geometric.hpp>
 
 #include "scene/builtin.h"
 
