@@ -7,17 +7,14 @@
 //   LKAO_REMAKE_GOLDEN=1 build/release/bin/lkao_test_gpu --gtest_filter=GoldenImages.AreWhatTheQueryAnswers
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdlib>
-#include <string>
 #include <vector>
 
 #include "gpu/camera_rays.h"
+#include "gpu/golden_picture.h"
 #include "gpu/on_software.h"
 #include "gpu/pass_scene.h"
-#include "image/image.h"
 
 namespace lkao::gl::tests {
 namespace {
@@ -39,40 +36,7 @@ std::vector<Golden> all_golden() {
            pattern.with_falloff(Falloff::linear())}};
 }
 
-std::string path_of(const Golden& golden) { return std::string(LKAO_GOLDEN_DIR "/") + golden.name + ".png"; }
-
-// Pictures begin at the top.
-std::vector<float> upside_down(const std::vector<float>& pixels) {
-  std::vector<float> rows;
-  for (std::ptrdiff_t y = kHeight; y-- > 0;) {
-    const auto first = pixels.begin() + y * kWidth;
-    rows.insert(rows.end(), first, first + kWidth);
-  }
-  return rows;
-}
-
-// Two tolerances, in steps of the 8 bits of a picture: no pixel may be farther off than `largest`, and only a share of
-// them farther than `small`.
-void expect_golden(const Golden& golden, const std::vector<float>& occlusion, double small, double share,
-                   double largest) {
-  const image::Image image = image::read_image(path_of(golden));
-  ASSERT_EQ(image.width, kWidth);
-  ASSERT_EQ(image.height, kHeight);
-  ASSERT_EQ(image.channel_count(), 1);
-  const std::vector<float> seen = upside_down(occlusion);
-  std::size_t off_count = 0;
-  double worst = 0;
-  for (std::size_t i = 0; i < seen.size(); ++i) {
-    const double difference = 255 * std::fabs(static_cast<double>(seen[i]) - static_cast<double>(image.pixels[i]));
-    off_count += !(difference <= small);
-    worst = std::max(worst, difference);
-  }
-  const double off_share = static_cast<double>(off_count) / static_cast<double>(seen.size());
-  EXPECT_LE(off_share, share) << golden.name;
-  EXPECT_LE(worst, largest) << golden.name;
-  ::testing::Test::RecordProperty(std::string(golden.name) + (small < 1 ? "_exact" : "_nearest"),
-                                  std::to_string(off_share) + " off, at most " + std::to_string(worst));
-}
+GoldenPicture picture_of(const Golden& golden) { return {golden.name, kWidth, kHeight}; }
 
 TEST(GoldenImages, AreWhatTheQueryAnswers) {
   const Mesh mesh = furnished_room();
@@ -82,11 +46,9 @@ TEST(GoldenImages, AreWhatTheQueryAnswers) {
     AmbientOcclusion(OccluderBvh(mesh.view()), golden.pattern, golden.options)
         .query(receivers, {.occlusion = occlusion});
     for (float& value : occlusion) value = std::isnan(value) ? 0 : value;
-    if (std::getenv("LKAO_REMAKE_GOLDEN") != nullptr) {
-      image::write_image(path_of(golden), {kWidth, kHeight, {"occlusion"}, upside_down(occlusion)});
-    }
-    // Half a step is the picture's own rounding. The rest is for other processors' sines: of the camera, of the ball.
-    expect_golden(golden, occlusion, 0.51, 0.001, 6);
+    picture_of(golden).remake_if_wanted(occlusion);
+    // What is farther off is for other processors' sines: of the camera, of the ball.
+    expect_golden(picture_of(golden), occlusion, 0.51, 0.001, 6);
   }
 }
 
@@ -122,11 +84,11 @@ TEST_F(GoldenImagesOnSoftware, AreDrawn) {
       const PlaneMaskTable exact(golden.pattern, {.resolution = 48});
       PassOnMesh pass = make_pass(mesh, exact, {.geometry = geometry, .accumulator = accumulator});
       // A ray of 128 is two steps.
-      expect_golden(golden, draw(pass, receivers, camera, golden.options), 0.51, 0.002, 6);
+      expect_golden(picture_of(golden), draw(pass, receivers, camera, golden.options), 0.51, 0.002, 6);
     }
     const PlaneMaskTable nearest(golden.pattern, {.resolution = 128, .masks = PlaneMasks::nearest});
     PassOnMesh pass = make_pass(mesh, nearest);
-    expect_golden(golden, draw(pass, receivers, camera, golden.options), 4.51, 0.06, 30);
+    expect_golden(picture_of(golden), draw(pass, receivers, camera, golden.options), 4.51, 0.06, 30);
   }
 }
 

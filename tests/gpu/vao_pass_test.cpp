@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "gpu/expect_error.h"
 #include "gpu/on_software.h"
 #include "gpu/pass_scene.h"
 #include "gpu/vao_definition.h"
@@ -275,33 +276,28 @@ TEST_F(Vao, NamesWhatIsWrong) {
       {"luminance width", [](VaoOptions& o) { o.luminance = {.width = 0}; }},
       {"luminance sigma", [](VaoOptions& o) { o.luminance = {.sigma = 0}; }},
       {"colours must be given for luminance", [](VaoOptions& o) { o.luminance = LuminanceSensitivity{}; }}};
-  const auto message = [&](const VaoOptions& options, const GBuffer& g_buffer, GLuint texture,
-                           const BleedingTarget* bleeding = nullptr) {
-    try {
-      pass_->draw(g_buffer, view.camera(), options, {texture}, bleeding);
-    } catch (const std::invalid_argument& error) {
-      EXPECT_THAT(error.what(), testing::Not(HasSubstr("\n")));
-      return std::string(error.what());
-    }
-    return std::string("no exception");
-  };
   const VaoOptions right{.radius = 1};
+  const auto expect_named = [&](const char* named, const VaoOptions& options, const GBuffer& g_buffer,
+                                const Texture& to, const BleedingTarget* bleeding = nullptr) {
+    expect_error<std::invalid_argument>(named,
+                                        [&] { pass_->draw(g_buffer, view.camera(), options, {to.name()}, bleeding); });
+  };
   for (const Mistake& mistake : mistakes) {
     VaoOptions options = right;
     mistake.make(options);
-    EXPECT_THAT(message(options, view.g_buffer(), target.name()), HasSubstr(mistake.name));
+    expect_named(mistake.name, options, view.g_buffer(), target);
   }
-  EXPECT_THAT(message(right, view.g_buffer(), small.name()), HasSubstr("occlusion must be of"));
+  expect_named("occlusion must be of", right, view.g_buffer(), small);
   GBuffer g_buffer = view.g_buffer();
   BleedingTarget bleeding{.texture = colours.name()};
-  EXPECT_THAT(message(right, g_buffer, target.name(), &bleeding), HasSubstr("colours must be given for bleeding"));
+  expect_named("colours must be given for bleeding", right, g_buffer, target, &bleeding);
   g_buffer.colours = two.name();
-  EXPECT_THAT(message(right, g_buffer, target.name()), HasSubstr("colours must have 3"));
+  expect_named("colours must have 3", right, g_buffer, target);
   g_buffer.colours = colours.name();
   bleeding.texture = small.name();
-  EXPECT_THAT(message(right, g_buffer, target.name(), &bleeding), HasSubstr("bleeding must be of 40x30"));
+  expect_named("bleeding must be of 40x30", right, g_buffer, target, &bleeding);
   bleeding.texture = two.name();
-  EXPECT_THAT(message(right, g_buffer, target.name(), &bleeding), HasSubstr("bleeding must have one of the formats"));
+  expect_named("bleeding must have one of the formats", right, g_buffer, target, &bleeding);
   EXPECT_THROW((void)pass_->read_counts(), std::runtime_error) << "nothing is counted";
   EXPECT_THROW((void)VaoPass({.count = true}).read_counts(), std::runtime_error) << "not drawn";
 }
