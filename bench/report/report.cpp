@@ -129,21 +129,23 @@ class Measuring {
     return store_.find_picture(record_name(subject, contestant), subject.scene.view.receivers.size());
   }
 
-  // For the page.
-  ordered_json pictures_of(const Subject& subject, const Converged& rays) const {
+  // For the page. Mismatches where there are some: a picture of them may be left from another program.
+  ordered_json pictures_of(const Subject& subject, const Converged& rays, const ordered_json& results) const {
     const int width = subject.scene.view.width;
     ordered_json pictures;
     pictures["rays"] = encode_picture(steps_of_occlusion(rays.mean), width);
-    for (const Contestant& contestant : contestants_) {
-      const auto own = picture(subject, contestant.name);
-      if (own) pictures[contestant.name] = encode_picture(steps_of_occlusion(*own), width);
-      const auto mismatches = picture(subject, contestant.name + kMismatch);
-      if (mismatches) pictures[contestant.name + kMismatch] = encode_picture(steps_of_count(*mismatches), width);
+    for (const ordered_json& result : results) {
+      const std::string name = result.at("contestant");
+      const auto own = picture(subject, name);
+      if (own) pictures[name] = encode_picture(steps_of_occlusion(*own), width);
+      if (result.value("mismatch_rate", 0.0) == 0) continue;
+      const auto mismatches = picture(subject, name + kMismatch);
+      if (mismatches) pictures[name + kMismatch] = encode_picture(steps_of_count(*mismatches), width);
     }
     return pictures;
   }
 
-  // Of the store, or what `measure` finds, which is put there.
+  // Of the store, or what `measure` finds, which is put there once its pictures are.
   template <class Measure>
   ordered_json stored(const std::string& name, const Measure& measure) const {
     if (const auto values = store_.find(name)) return *values;
@@ -212,20 +214,18 @@ class Measuring {
     for (const Contestant& contestant : contestants_) {
       if (is_stopped != 0) return false;
       const std::string name = record_name(subject, contestant.name);
-      std::optional<ordered_json> values = store_.find(name);
-      if (!values) {
+      results.push_back(stored(name, [&] {
         if (!measurer) measurer.emplace(subject, options_.round_count);
         const Measured measured = measurer->measure(contestant, constant, linear);
         store_.put_picture(name, measured.picture);
         if (!measured.mismatches.empty()) store_.put_picture(name + kMismatch, measured.mismatches);
-        store_.put(name, describe(contestant, subject, measured));  // last: now it counts
-        values = store_.find(name);
         fmt::print("  {:36} {:9.2f} ms  RMSE {:.4f}\n", contestant.name, 1000 * measured.seconds, measured.errors.rmse);
         std::fflush(stdout);
-      }
-      results.push_back(std::move(*values));
+        return describe(contestant, subject, measured);
+      }));
     }
     const scene::ReceiverImage& view = subject.scene.view;
+    ordered_json pictures = pictures_of(subject, constant, results);
     ordered_json values = {{"scene", subject.scene.name},
                            {"radius", subject.radius},
                            {"width", view.width},
@@ -241,7 +241,7 @@ class Measuring {
                                                       [&](const std::string& name) {
                                                         return name == "rays" ? constant.mean : picture(subject, name);
                                                       })},
-                           {"pictures", pictures_of(subject, constant)}};
+                           {"pictures", std::move(pictures)}};
     add_papers_own(subject, values);
     subjects_.push_back(std::move(values));
     return is_stopped == 0;
