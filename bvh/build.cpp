@@ -17,7 +17,7 @@ namespace {
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 // Sorts the triangles of the mesh into those the builder gets and those that are dropped and counted.
-Pieces collect_occluders(std::size_t capacity, Layout& layout) {
+Pieces collect_occluders(std::size_t capacity, bool keep_zero_area, Layout& layout) {
   const PackedMesh& mesh = layout.mesh;
   Pieces pieces;
   pieces.reserve(capacity);
@@ -25,16 +25,18 @@ Pieces collect_occluders(std::size_t capacity, Layout& layout) {
     const glm::vec3 &a = mesh.corner(i, 0), &b = mesh.corner(i, 1), &c = mesh.corner(i, 2);
     if (!lut::is_in_range(a, b, c)) {
       ++layout.report.non_finite_count;
-    } else if (has_zero_area(a, b, c)) {
-      ++layout.report.zero_area_count;
-    } else {
+      continue;
+    }
+    const bool has_area = !has_zero_area(a, b, c);
+    if (!has_area) ++layout.report.zero_area_count;
+    if (has_area || keep_zero_area) {
       const glm::vec3 lower = glm::min(a, glm::min(b, c)), upper = glm::max(a, glm::max(b, c));
       pieces.emplace_back(Box{{lower.x, lower.y, lower.z, 0}, {upper.x, upper.y, upper.z, 0}}, i);
       layout.bounds = {glm::min(layout.bounds.lower, lower), glm::max(layout.bounds.upper, upper)};
     }
   }
   layout.report.triangle_count = mesh.triangles.size();
-  layout.report.occluder_count = pieces.size();
+  layout.report.occluder_count = mesh.triangles.size() - layout.report.zero_area_count - layout.report.non_finite_count;
   return pieces;
 }
 
@@ -51,7 +53,7 @@ std::shared_ptr<const Layout> build(const TriangleMesh& mesh, const BuildOptions
   layout->bounds = {glm::vec3(kInfinity), glm::vec3(-kInfinity)};
   layout->mesh = pack(mesh);
   SplitBuilder builder(layout->mesh, options.spatial_splits);
-  Pieces pieces = collect_occluders(builder.capacity_for(mesh.triangles.size()), *layout);
+  Pieces pieces = collect_occluders(builder.capacity_for(mesh.triangles.size()), options.keep_zero_area, *layout);
   if (pieces.empty()) {
     layout->mesh = {};  // no query asks for it
   } else {

@@ -13,9 +13,9 @@ float half_area(const Bounds& box) {
 // The children of the entry nodes, as they are found.
 class Entries {
  public:
-  Entries(const Layout& layout, const Bounds& origins, float radius, int most)
-      : layout_(layout), origins_(origins), radius_(radius), most_(most) {
-    add_children_of(layout_.root());
+  Entries(std::span<const Node> nodes, const Bounds& origins, float radius, int most)
+      : nodes_(nodes), origins_(origins), radius_(radius), most_(most) {
+    add_children_of(root_of(nodes_));
     while (open_one()) {
     }
   }
@@ -38,7 +38,7 @@ class Entries {
       const Bounds box = node.child_bounds(i);
       if (is_farther_than(radius_, box, origins_)) continue;
       const ChildRef child = node.children[i];
-      reached_counts_[count_] = child.is_leaf() ? most_ + 1 : reached_count(layout_.nodes[child.index()]);
+      reached_counts_[count_] = child.is_leaf() ? most_ + 1 : reached_count(nodes_[child.index()]);
       boxes_[count_] = box;
       children_[count_++] = child;
     }
@@ -57,7 +57,7 @@ class Entries {
       }
     }
     if (largest < 0) return false;
-    const Node& opened = layout_.nodes[children_[largest].index()];
+    const Node& opened = nodes_[children_[largest].index()];
     --count_;
     boxes_[largest] = boxes_[count_];
     children_[largest] = children_[count_];
@@ -66,7 +66,7 @@ class Entries {
     return true;
   }
 
-  const Layout& layout_;
+  std::span<const Node> nodes_;
   const Bounds& origins_;
   float radius_;
   int most_;
@@ -79,8 +79,8 @@ class Entries {
 
 }  // namespace
 
-EntryNodes::EntryNodes(const Layout& layout, const Bounds& origins, float radius, int most_children) {
-  const Entries entries(layout, origins, radius, most_children);
+EntryNodes::EntryNodes(std::span<const Node> nodes, const Bounds& origins, float radius, int most_children) {
+  const Entries entries(nodes, origins, radius, most_children);
   for (int i = 0; i < entries.count(); ++i) {
     if (i % kWidth == 0) nodes_[count_++] = Node::empty();
     nodes_[count_ - 1].set_child(i % kWidth, entries.box(i), entries.child(i));

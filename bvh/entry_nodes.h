@@ -14,8 +14,8 @@ class EntryNodes {
  public:
   static constexpr int kMostChildren = 32;
 
-  // `most_children`: from kWidth to kMostChildren.
-  EntryNodes(const Layout& layout, const Bounds& origins, float radius, int most_children = kWidth);
+  // `nodes`: of a layout, the root first. `most_children`: from kWidth to kMostChildren.
+  EntryNodes(std::span<const Node> nodes, const Bounds& origins, float radius, int most_children = kWidth);
 
   std::span<const Node> nodes() const { return {nodes_, static_cast<std::size_t>(count_)}; }
 

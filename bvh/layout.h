@@ -93,6 +93,12 @@ struct alignas(32) Leaf {
   }
 };
 
+// Where queries begin; without a child where there is no occluder.
+inline const Node& root_of(std::span<const Node> nodes) {
+  static const Node kEmpty = Node::empty();
+  return nodes.empty() ? kEmpty : nodes[0];
+}
+
 struct Layout {
   std::vector<Node, HugePageAllocator<Node>> nodes;  // the root first
   std::vector<Leaf, HugePageAllocator<Leaf>> leaves;
@@ -100,12 +106,7 @@ struct Layout {
   Bounds bounds;
   BuildReport report;
 
-  // Where queries begin; without a child where there is no occluder.
-  const Node& root() const {
-    static const Node kEmpty = Node::empty();
-    return nodes.empty() ? kEmpty : nodes[0];
-  }
-
+  const Node& root() const { return root_of(nodes); }
   std::span<const Node> roots() const { return {&root(), 1}; }
 };
 

@@ -7,12 +7,15 @@
 
 #include "bvh/blocker_memory.h"
 #include "bvh/layout.h"
+#include "bvh/placement.h"
 #include "bvh/ray_parts.h"
 #include "bvh/ray_triangle.h"
 #include "lkao/receiver.h"
 #include "lkao/receiver_rays.h"
 
 namespace lkao::bvh {
+
+struct PlacedRays;
 
 // What a receiver asks of the hierarchy.
 struct Query {
@@ -24,26 +27,62 @@ struct Query {
   std::uint32_t excluded_primitive = kNoPrimitive;
   const RayParts* parts = nullptr;  // null: whole rays
   BlockerMemory* memory = nullptr;  // of this layout; null: none
+  // Of a scene: whose primitive is excluded, and what may block.
+  std::uint32_t excluded_instance = 0;
+  std::uint32_t groups = kAllGroups;
+  // Where the mesh stands; null: in the world, as its positions say.
+  const Placement* placement = nullptr;
+  // Of a mesh that stands somewhere: the rays are these, in its own space. Null: rays are in the world.
+  const PlacedRays* placed = nullptr;
+  // What is taken from the lower and from the upper faces of boxes: where the origin is, at least and at most.
+  glm::vec3 face_origins[2] = {rays.origin, rays.origin};
 
   // Where rays begin and end to count, at the earliest and latest.
   float near() const { return parts != nullptr ? parts->near : 0; }
   float far() const { return parts != nullptr ? parts->far : radius; }
 };
 
+// The rays of a query in the space of a mesh that stands somewhere in the world: those that are open, one behind the
+// other, rounded to float. They tell which triangles a ray may meet; whether it does is decided in the world.
+struct PlacedRays {
+  explicit PlacedRays(const Query& in_world) : world(in_world) {}
+
+  const Query& world;
+  ReceiverRays rays;
+  OcclusionMask open;                        // all of them
+  std::uint16_t numbers[kMaxRayCount + 16];  // in the world's query
+  RayParts parts;                            // where it has some
+  glm::vec3 face_origins[2];                 // Query::face_origins
+  // No corner is farther from where it counts than this, the rounding of the origin included.
+  float displacement;
+};
+
+// Corners as they count: in the world, counter-clockwise where the mesh's are.
+struct Corners {
+  glm::vec3 a, b, c;
+};
+inline Corners corners_of(const Layout& layout, std::uint32_t primitive, const Query& query) {
+  const PackedMesh& mesh = layout.mesh;
+  const Corners own{mesh.corner(primitive, 0), mesh.corner(primitive, 1), mesh.corner(primitive, 2)};
+  if (query.placement == nullptr) return own;
+  const glm::mat4x3& to_world = query.placement->to_world;
+  const Corners placed{place(to_world, own.a), place(to_world, own.b), place(to_world, own.c)};
+  return query.placement->is_mirrored ? Corners{placed.a, placed.c, placed.b} : placed;
+}
+
 // The definition for one triangle as the query's receiver sees it.
 inline TriangleTest make_test(const Layout& layout, std::uint32_t primitive, const Query& query) {
-  return {layout.mesh.corner(primitive, 0),
-          layout.mesh.corner(primitive, 1),
-          layout.mesh.corner(primitive, 2),
-          query.rays.origin,
-          query.radius,
-          query.sidedness};
+  const Query& world = query.placed != nullptr ? query.placed->world : query;
+  const Corners corners = corners_of(layout, primitive, query);
+  return {corners.a, corners.b, corners.c, world.rays.origin, world.radius, query.sidedness};
 }
 
 // The definition for one ray of the query.
 inline bool blocks(const TriangleTest& test, const Query& query, int ray) {
-  if (query.parts == nullptr) return test.blocks(query.rays.ray(ray));
-  return test.blocks(query.rays.ray(ray), query.parts->begin[ray], query.parts->end[ray]);
+  const Query& world = query.placed != nullptr ? query.placed->world : query;
+  const int number = query.placed != nullptr ? query.placed->numbers[ray] : ray;
+  if (world.parts == nullptr) return test.blocks(world.rays.ray(number));
+  return test.blocks(world.rays.ray(number), world.parts->begin[number], world.parts->end[number]);
 }
 
 // Calls `function(ray)` for every ray of the mask.

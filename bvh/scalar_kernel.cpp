@@ -10,8 +10,7 @@ namespace {
 
 class ScalarKernel {
  public:
-  ScalarKernel(const Layout& layout, const Query& query)
-      : layout_(layout), query_(query), word_count_(query.rays.word_count()) {
+  explicit ScalarKernel(const Query& query) : query_(query), word_count_(query.rays.word_count()) {
     for (int i = 0; i < query.rays.ray_count; ++i) box_rays_[i] = BoxRay(query.rays.ray(i));
   }
 
@@ -23,12 +22,13 @@ class ScalarKernel {
     return met;
   }
 
-  OcclusionMask triangle_mask(std::uint32_t primitive, const OcclusionMask& mask) const {
+  OcclusionMask triangle_mask(const Layout& layout, const Query& query, std::uint32_t primitive,
+                              const OcclusionMask& mask) const {
     OcclusionMask blocked;
-    const TriangleTest test = make_test(layout_, primitive, query_);
+    const TriangleTest test = make_test(layout, primitive, query);
     if (!test.can_block()) return blocked;
     for_each_ray(mask, word_count_, [&](int ray) {
-      if (blocks(test, query_, ray)) blocked.set(ray);
+      if (blocks(test, query, ray)) blocked.set(ray);
     });
     return blocked;
   }
@@ -37,7 +37,6 @@ class ScalarKernel {
   float begin(int ray) const { return query_.parts != nullptr ? query_.parts->begin[ray] : 0.0f; }
   float end(int ray) const { return query_.parts != nullptr ? query_.parts->end[ray] : 1.0f; }
 
-  const Layout& layout_;
   const Query& query_;
   int word_count_;
   BoxRay box_rays_[kMaxRayCount];
@@ -46,8 +45,13 @@ class ScalarKernel {
 }  // namespace
 
 OcclusionMask trace_scalar(const Layout& layout, const Query& query) {
-  ScalarKernel kernel(layout, query);
-  return Traversal(layout, query, kernel).run();
+  ScalarKernel kernel(query);
+  return trace(layout, query, kernel);
+}
+
+OcclusionMask trace_scalar(const SceneLayout& scene, const Query& query) {
+  ScalarKernel kernel(query);
+  return trace(scene, query, kernel);
 }
 
 }  // namespace lkao::bvh

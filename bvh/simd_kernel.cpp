@@ -101,7 +101,7 @@ class SimdTraversal {
   // The leaves that blocked most rays of the receivers before.
   void visit_first() {
     BlockerMemory& memory = *query_.memory;
-    const RelativeBoxes<Parts> boxes(memory.first(), query_.rays.origin, query_.rays.up, query_.near(), query_.far());
+    const RelativeBoxes<Parts> boxes(memory.first(), query_);
     for (int child = 0; child < memory.first_count(); ++child) {
       int blocked_count = 0;
       if ((boxes.reached() >> child & 1) != 0) {
@@ -154,7 +154,7 @@ class SimdTraversal {
   // come first: the builder puts those with the fewest triangles there, among them large ones by themselves, which
   // block most for the least work.
   void visit(const Node& node, const ActiveRays& active) {
-    const RelativeBoxes<Parts> boxes(node, query_.rays.origin, query_.rays.up, query_.near(), query_.far());
+    const RelativeBoxes<Parts> boxes(node, query_);
     if (rays_.chunk_count >= kManyChunks) {
       visit_in_turn(node, boxes, active);
     } else {

@@ -11,9 +11,8 @@ namespace {
 
 class TableKernel {
  public:
-  TableKernel(const Layout& layout, const Query& query, const PlaneMaskTable& table, NodeMasks node_masks)
-      : layout_(layout),
-        query_(query),
+  TableKernel(const Query& query, const PlaneMaskTable& table, NodeMasks node_masks)
+      : query_(query),
         word_count_(query.rays.word_count()),
         lookup_(table, query.rays.frame, query.radius),
         node_masks_(node_masks) {}
@@ -27,18 +26,17 @@ class TableKernel {
     return mask;
   }
 
-  OcclusionMask triangle_mask(std::uint32_t primitive, const OcclusionMask& mask) const {
+  OcclusionMask triangle_mask(const Layout& layout, const Query& query, std::uint32_t primitive,
+                              const OcclusionMask& mask) const {
     OcclusionMask blocked;
-    if (is_culled(layout_.mesh.corner(primitive, 0), layout_.mesh.corner(primitive, 1),
-                  layout_.mesh.corner(primitive, 2), query_)) {
-      return blocked;
-    }
-    const TriangleTest test = make_test(layout_, primitive, query_);
+    const Corners corners = corners_of(layout, primitive, query);
+    if (is_culled(corners.a, corners.b, corners.c, query)) return blocked;
+    const TriangleTest test = make_test(layout, primitive, query);
     if (!test.can_block()) return blocked;
     const MaskBounds bounds = look_up(test, mask);
     blocked = bounds.must;
     for_each_ray(bounds.may & ~bounds.must, word_count_, [&](int ray) {
-      if (blocks(test, query_, ray)) blocked.set(ray);
+      if (blocks(test, query, ray)) blocked.set(ray);
     });
     return blocked;
   }
@@ -103,7 +101,6 @@ class TableKernel {
     }
   }
 
-  const Layout& layout_;
   const Query& query_;
   int word_count_;
   TableLookup lookup_;
@@ -113,8 +110,14 @@ class TableKernel {
 }  // namespace
 
 OcclusionMask trace_table(const Layout& layout, const Query& query, const PlaneMaskTable& table, NodeMasks node_masks) {
-  TableKernel kernel(layout, query, table, node_masks);
-  return Traversal(layout, query, kernel).run();
+  TableKernel kernel(query, table, node_masks);
+  return trace(layout, query, kernel);
+}
+
+OcclusionMask trace_table(const SceneLayout& scene, const Query& query, const PlaneMaskTable& table,
+                          NodeMasks node_masks) {
+  TableKernel kernel(query, table, node_masks);
+  return trace(scene, query, kernel);
 }
 
 }  // namespace lkao::bvh

@@ -5,6 +5,7 @@
 
 #include "bvh/layout.h"
 #include "bvh/query.h"
+#include "bvh/scene_layout.h"
 #include "lkao/kernel.h"
 #include "lkao/plane_mask_table.h"
 
@@ -14,5 +15,7 @@ namespace lkao::bvh {
 // one, approximately with nearest cells. The rays of the query are the table's pattern, turned, and whole. Allocates
 // nothing; any thread.
 OcclusionMask trace_table(const Layout& layout, const Query& query, const PlaneMaskTable& table, NodeMasks node_masks);
+OcclusionMask trace_table(const SceneLayout& scene, const Query& query, const PlaneMaskTable& table,
+                          NodeMasks node_masks);
 
 }  // namespace lkao::bvh

@@ -91,7 +91,7 @@ void node_16_rays(benchmark::State& state) {
   const simd::RaySet rays(query);
   const simd::WholeRays whole(query);
   run_nodes<kLaneCount>(state, [&](const bvh::Node& node, int first) {
-    const simd::RelativeBoxes<simd::WholeRays> boxes(node, here.rays.origin, here.rays.up, 0, here.radius);
+    const simd::RelativeBoxes<simd::WholeRays> boxes(node, query);
     NodeAnswer met;
     for (int i = 0; i < kWidth; ++i) met.rays[i] = boxes.rays_meeting(i, rays, whole, first / kLaneCount) & 0xffffu;
     return met;

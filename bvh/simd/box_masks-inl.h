@@ -19,14 +19,16 @@
 HWY_BEFORE_NAMESPACE();
 namespace lkao::bvh::HWY_NAMESPACE {
 
-// The boxes of a node's children, relative to the origin of the rays: centers and half sizes.
+// The boxes of a node's children, relative to the origin of the rays: centers and half sizes. Where the origin is only
+// known to be somewhere, they are larger by as much.
 template <class Parts>
 class RelativeBoxes {
  public:
-  // Of the children, only those between the spheres of radius `near` and `far`, above the horizon of `up`, are of use:
-  // see reached().
-  HWY_INLINE RelativeBoxes(const Node& node, const glm::vec3& origin, const glm::vec3& up, float near, float far) {
+  // Of the children, only those where the query's rays count, above the horizon, are of use: see reached().
+  HWY_INLINE RelativeBoxes(const Node& node, const Query& query) {
     const BoxTag tag;
+    const float near = query.near(), far = query.far();
+    const glm::vec3& up = query.rays.up;
     const auto zero = hn::Zero(tag), half = hn::Set(tag, 0.5f), slack = hn::Set(tag, kBoxSlack);
     // Less than infinity, where the empty children are.
     const auto reach2 = hn::Set(tag, std::min(far * far * (1.0f + 2 * kBoxSlack), std::numeric_limits<float>::max()));
@@ -34,9 +36,8 @@ class RelativeBoxes {
     for (int i = 0; i < kWidth; i += lane_count(tag)) {
       auto distance2 = zero, farthest2 = zero, highest = zero, magnitude = zero;
       for (int axis = 0; axis < 3; ++axis) {
-        const auto from = hn::Set(tag, origin[axis]);
-        const auto lower = hn::Sub(hn::Load(tag, node.faces[0][axis] + i), from),
-                   upper = hn::Sub(hn::Load(tag, node.faces[1][axis] + i), from);
+        const auto lower = hn::Sub(hn::Load(tag, node.faces[0][axis] + i), hn::Set(tag, query.face_origins[0][axis])),
+                   upper = hn::Sub(hn::Load(tag, node.faces[1][axis] + i), hn::Set(tag, query.face_origins[1][axis]));
         // As is_out_of_reach says. Empty children are.
         const auto gap = hn::Max(zero, hn::Max(lower, hn::Neg(upper)));
         distance2 = hn::MulAdd(gap, gap, distance2);

@@ -36,6 +36,7 @@ struct LeafReceiver {
     const glm::vec3 size = layout.bounds.upper - layout.bounds.lower;
     near = 0x1p-22f * std::max(size.x, std::max(size.y, size.z));
     radius_rounding = 0x1p-24f * query.radius;
+    displacement = query.placed != nullptr ? query.placed->displacement : 0;
   }
 
   const Layout& layout;
@@ -43,6 +44,7 @@ struct LeafReceiver {
   glm::vec3 origin;
   float near;             // see LeafFrames
   float radius_rounding;  // of single precision
+  float displacement;     // of corners; 0 where the rays are in the world
 };
 
 // Leaves that are answered at once, and numbers of one ray for each. Vectors of 16 lanes would hold 4, but filling them
@@ -105,12 +107,14 @@ class LeafFrames {
     turn_ = hn::AndNot(behind, hn::SignBit(tag));
 
     const auto reach = hn::Add(hn::Add(hn::Abs(px), hn::Abs(py)), hn::Add(hn::Abs(pz), hn::Set(tag, receiver.near)));
-    const auto distance_slack = hn::Mul(hn::Set(tag, 6 * 0x1p-24f), reach);
+    auto distance_slack = hn::Mul(hn::Set(tag, 6 * 0x1p-24f), reach);
     const auto radius_rounding = hn::Set(tag, receiver.radius_rounding);
     const auto steepness = load([](const Leaf& leaf) { return leaf.steepness; });
     edge_slack_ =
         hn::Mul(hn::MulAdd(hn::Mul(steepness, reach), hn::Set(tag, 90.0f), hn::Set(tag, 12.0f)), radius_rounding);
     own_slack_ = hn::MulAdd(hn::Set(tag, 10.0f), radius_rounding, distance_slack);
+    if (HWY_UNLIKELY(receiver.displacement > 0))
+      allow_for_displacement(receiver, hn::Mul(steepness, reach), distance_slack);
 
     // `!(x > y)` holds for NaN too.
     unsure_sides_ = kAllTriangles & ~bits_of(tag, hn::Gt(distance_, distance_slack));
@@ -198,6 +202,25 @@ class LeafFrames {
   }
   HWY_INLINE Floats dot(Rows rows, Floats x, Floats y, Floats z) const {
     return hn::MulAdd(load(rows, 0), x, hn::MulAdd(load(rows, 1), y, hn::Mul(load(rows, 2), z)));
+  }
+
+  // Corners that are no farther from where they count than this, d, in the space of the rays.
+  //
+  // With S = g |p|, the normals of the edges' planes, in units of twice the area, are no longer than 1 + 5.5 S, so the
+  // origin's distance D to the plane is uncertain by d (1 + 11 S), and the plane near the triangle by d. A ray that
+  // meets the moved triangle in a corner's weights is as far beyond an edge as they say but for d times the normal,
+  // divided by the share of the ray up to there, which is no less than (D - d) / r. Where D is more than d (24 S + 4)
+  // that is d r / D (1.4 + 7.4 S); the other way round, from the triangle to the moved one, it is d r / D (2.4 + 11.4
+  // S), what d adds to the normals included. Where D is less, all rays are in doubt.
+  HWY_INLINE void allow_for_displacement(const LeafReceiver& receiver, Floats steep_reach, Floats& distance_slack) {
+    const Tag tag;
+    const auto by = hn::Set(tag, receiver.displacement), radius = hn::Set(tag, receiver.query.radius);
+    own_slack_ = hn::MulAdd(hn::Set(tag, 1.1f), by, own_slack_);
+    distance_slack = hn::MulAdd(by, hn::MulAdd(hn::Set(tag, 24.0f), steep_reach, hn::Set(tag, 4.0f)), distance_slack);
+    const auto turned = hn::MulAdd(hn::Set(tag, 12.0f), steep_reach, hn::Set(tag, 3.0f));
+    const auto more = hn::Div(hn::Mul(hn::Mul(by, radius), turned), distance_);
+    const auto infinity = hn::Set(tag, std::numeric_limits<float>::infinity());
+    edge_slack_ = hn::IfThenElse(hn::Gt(distance_, distance_slack), hn::Add(edge_slack_, more), infinity);
   }
 
   // What is called seldom takes no part of this as an argument: all of it stays in registers.

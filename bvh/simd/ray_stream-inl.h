@@ -186,15 +186,16 @@ class RayStream {
   HWY_INLINE int visit_node(const Node& node, std::uint32_t ray, int count) {
     const BoxTag tag;
     const hn::RebindToUnsigned<BoxTag> bits_tag;
-    const glm::vec3& origin = query_.rays.origin;
     const float inverse[] = {rays_.inverse_x[ray], rays_.inverse_y[ray], rays_.inverse_z[ray]};
     for (int i = 0; i < kWidth; i += lane_count(tag)) {
       auto enter = parts_.begin_of_one(tag, ray), leave = parts_.end_of_one(tag, ray);
       for (int axis = 0; axis < 3; ++axis) {
-        const auto from = hn::Set(tag, origin[axis]), by = hn::Set(tag, inverse[axis]);
+        const auto by = hn::Set(tag, inverse[axis]);
         const std::uint32_t down = sign_of(inverse[axis]);
-        const auto at = [&](std::uint32_t face)
-                            HWY_ATTR { return hn::Mul(hn::Sub(hn::Load(tag, node.faces[face][axis] + i), from), by); };
+        const auto at = [&](std::uint32_t face) HWY_ATTR {
+          const auto from = hn::Set(tag, query_.face_origins[face][axis]);
+          return hn::Mul(hn::Sub(hn::Load(tag, node.faces[face][axis] + i), from), by);
+        };
         enter = hn::Max(enter, at(down));
         leave = hn::Min(leave, at(1 - down));
       }

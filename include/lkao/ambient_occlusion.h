@@ -16,6 +16,7 @@
 #include "lkao/export.h"
 #include "lkao/kernel.h"
 #include "lkao/occluder_bvh.h"
+#include "lkao/occluder_scene.h"
 #include "lkao/occlusion_mask.h"
 #include "lkao/plane_mask_table.h"
 #include "lkao/progress.h"
@@ -34,7 +35,7 @@ class Tracer;
 // Occluders that block rays only at some distances: a level of detail. A ray is blocked if its part whose distance from
 // the origin lies in [r_min, r_max] meets one of them (Laine & Karras 2010, Sec. 4.3).
 struct OccluderLevel {
-  OccluderBvh occluders;
+  OccluderScene occluders;
   float r_min = 0;
   float r_max = std::numeric_limits<float>::infinity();
 };
@@ -66,7 +67,7 @@ struct QueryReport {
   std::uint64_t blocked_ray_count = 0;
 };
 
-// Answers queries against one hierarchy with one pattern. Immutable and cheap to copy; every member may be
+// Answers queries against one scene with one pattern. Immutable and cheap to copy; every member may be
 // called from any number of threads.
 //
 // Ray i of a receiver at p is blocked by triangle T if the segment (p, p + length_i direction_i], open at p,
@@ -86,7 +87,7 @@ struct QueryReport {
 class LKAO_API AmbientOcclusion {
  public:
   // Throws std::invalid_argument, naming the option and its value, where one is out of range.
-  AmbientOcclusion(OccluderBvh occluders, SamplePattern pattern, const RayOptions& options,
+  AmbientOcclusion(OccluderScene occluders, SamplePattern pattern, const RayOptions& options,
                    Kernel kernel = Kernel::simd);
 
   // Several levels of detail, near ones first is fastest: usually the scene itself from 0 to some distance, and simpler
@@ -100,7 +101,7 @@ class LKAO_API AmbientOcclusion {
   // Answers with the paper's look-ups instead of ray by ray: the pattern is the table's. With PlaneMasks::must_may the
   // answers are the same bit for bit, with PlaneMasks::nearest they are approximate (lut/README.md has the figures).
   // Throws std::invalid_argument also for an infinite radius where the table's rays are not all of one length.
-  AmbientOcclusion(OccluderBvh occluders, PlaneMaskTable table, const RayOptions& options,
+  AmbientOcclusion(OccluderScene occluders, PlaneMaskTable table, const RayOptions& options,
                    NodeMasks node_masks = NodeMasks::box_outline);
 
   // One receiver, in the calling thread. `index` with the seed gives the jitter: use the pixel, the vertex
@@ -130,7 +131,7 @@ class LKAO_API AmbientOcclusion {
   ReceiverRays rays(const Receiver& receiver, std::uint64_t index) const;
   void rays(const Receiver& receiver, std::uint64_t index, ReceiverRays& rays) const;
 
-  const OccluderBvh& occluders() const;
+  const OccluderScene& occluders() const;
   const SamplePattern& pattern() const { return pattern_; }
   const RayOptions& options() const;
   // The table of a query by look-ups; null otherwise.

@@ -39,6 +39,7 @@ class LKAO_API IndexView {
 
   // How many triangles there are.
   std::size_t size() const { return count_; }
+  const void* data() const { return first_; }
   // The three indices of a triangle. Negative ones wrap.
   glm::uvec3 operator[](std::size_t triangle) const {
     return {index(triangle, 0), index(triangle, 1), index(triangle, 2)};
@@ -55,6 +56,8 @@ class LKAO_API IndexView {
         return read<std::uint32_t>(from, corner);
     }
   }
+  // The same triangles in memory, seen in the same way.
+  friend bool operator==(const IndexView&, const IndexView&) = default;
 
  private:
   enum class Type { uint16, uint32, int32 };

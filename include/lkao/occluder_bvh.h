@@ -40,6 +40,10 @@ struct BuildOptions {
   // more memory. By the surface area heuristic it saves 5 to 17 % of the work in rooms and dioramas, 2 to 4 %
   // outdoors and next to nothing in scans (bench/results/build.csv).
   bool spatial_splits = true;
+  // Keep triangles without area, for a mesh that shall stand elsewhere (OccluderScene): there their corners are rounded
+  // anew, and they close what would otherwise be a crack beside them. Where the mesh is they block nothing all the
+  // same, and are counted as dropped.
+  bool keep_zero_area = false;
 };
 
 // What the build found and made. Every triangle of the mesh is an occluder or counted as dropped.

@@ -13,6 +13,9 @@ namespace lkao {
 
 inline constexpr std::uint32_t kNoPrimitive = 0xffffffffu;
 
+// Of instances (OccluderInstance::groups) and what may block them: a bit for each of 32 groups.
+inline constexpr std::uint32_t kAllGroups = 0xffffffffu;
+
 // A point that receives occlusion. Positions and normals in world space; normals of any length.
 struct Receiver {
   glm::vec3 position{0};
@@ -23,6 +26,10 @@ struct Receiver {
   glm::vec3 geometric_normal{0};
   // A primitive that cannot block this receiver's rays (usually the one it lies on).
   std::uint32_t excluded_primitive = kNoPrimitive;
+  // Of a scene with instances: whose primitive that is.
+  std::uint32_t excluded_instance = 0;
+  // Only instances that share a group with it block its rays.
+  std::uint32_t occluder_groups = kAllGroups;
 };
 
 enum class Sidedness {

@@ -30,7 +30,7 @@ void check(const std::vector<OccluderLevel>& levels) {
 
 }  // namespace
 
-AmbientOcclusion::AmbientOcclusion(OccluderBvh occluders, SamplePattern pattern, const RayOptions& options,
+AmbientOcclusion::AmbientOcclusion(OccluderScene occluders, SamplePattern pattern, const RayOptions& options,
                                    Kernel kernel)
     : AmbientOcclusion(std::vector{OccluderLevel{std::move(occluders)}}, std::move(pattern), options, kernel) {}
 
@@ -43,7 +43,7 @@ AmbientOcclusion::AmbientOcclusion(const std::vector<OccluderLevel>& levels, Sam
   tracer_ = std::make_shared<query::Tracer>(levels, pattern_, options, kernel);
 }
 
-AmbientOcclusion::AmbientOcclusion(OccluderBvh occluders, PlaneMaskTable table, const RayOptions& options,
+AmbientOcclusion::AmbientOcclusion(OccluderScene occluders, PlaneMaskTable table, const RayOptions& options,
                                    NodeMasks node_masks)
     : pattern_(table.pattern()) {
   lut::check(options);
@@ -89,7 +89,7 @@ void AmbientOcclusion::rays(const Receiver& receiver, std::uint64_t index, Recei
   tracer_->make_rays(receiver, index, rays);
 }
 
-const OccluderBvh& AmbientOcclusion::occluders() const { return tracer_->first_occluders(); }
+const OccluderScene& AmbientOcclusion::occluders() const { return tracer_->first_occluders(); }
 const RayOptions& AmbientOcclusion::options() const { return tracer_->options(); }
 const PlaneMaskTable* AmbientOcclusion::table() const { return tracer_->table(); }
 

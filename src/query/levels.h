@@ -12,7 +12,7 @@
 namespace lkao::query {
 
 struct Level {
-  OccluderBvh occluders;
+  OccluderScene occluders;
   float r_min, r_max;  // r_max is infinite where it cuts no ray, r_min where the level blocks none
   // Which part of each ray counts, for rays of the query's radius. Absent where whole rays count, and where the radius
   // is infinite: then each receiver has a radius of its own.

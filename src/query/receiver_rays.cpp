@@ -81,8 +81,7 @@ OccluderExtent extent_of(std::span<const Level> levels) {
     const Bounds& bounds = level.occluders.bounds();
     extent.bounds = {glm::min(extent.bounds.lower, bounds.lower), glm::max(extent.bounds.upper, bounds.upper)};
   }
-  if (levels.front().occluders.report().occluder_count > 0) {
-    const Bounds& bounds = levels.front().occluders.bounds();
+  if (const Bounds& bounds = levels.front().occluders.bounds(); bounds.lower.x <= bounds.upper.x) {
     extent.largest_coordinate = std::max(largest_component(bounds.lower), largest_component(bounds.upper));
   }
   return extent;

@@ -5,7 +5,9 @@
 #include <utility>
 
 #include "bvh/scalar_kernel.h"
+#include "bvh/scene_query.h"
 #include "bvh/simd_kernel.h"
+#include "bvh/simd_scene.h"
 #include "bvh/table_kernel.h"
 
 namespace lkao::query {
@@ -46,7 +48,7 @@ Tracer::Visit::Visit(const Tracer& tracer, const Bounds& positions) : Visit(trac
   entries_.reserve(tracer.levels_.size());
   for (const Level& level : tracer.levels_) {
     const float far = std::min(level.r_max, tracer.options_.radius);
-    entries_.emplace_back(level.occluders.layout(), origins, far, most_children);
+    entries_.emplace_back(level.occluders.layout().tree(), origins, far, most_children);
   }
 }
 
@@ -54,11 +56,11 @@ OcclusionMask Tracer::Visit::trace(const Receiver& receiver, std::uint64_t index
   tracer_.make_rays(receiver, index, rays);
   if (!rays.cast.any()) return {};
   const std::vector<Level>& levels = tracer_.levels_;
-  if (levels.size() > 1 || !levels[0].is_whole()) return trace_levels(rays, receiver.excluded_primitive);
-  return trace_level(0, rays, rays.cast, nullptr, receiver.excluded_primitive);
+  if (levels.size() > 1 || !levels[0].is_whole()) return trace_levels(receiver, rays);
+  return trace_level(0, receiver, rays, rays.cast, nullptr);
 }
 
-OcclusionMask Tracer::Visit::trace_levels(const ReceiverRays& rays, std::uint32_t excluded_primitive) {
+OcclusionMask Tracer::Visit::trace_levels(const Receiver& receiver, const ReceiverRays& rays) {
   const std::vector<Level>& levels = tracer_.levels_;
   OcclusionMask blocked;
   for (std::size_t i = 0; i < levels.size(); ++i) {
@@ -72,28 +74,44 @@ OcclusionMask Tracer::Visit::trace_levels(const ReceiverRays& rays, std::uint32_
     }
     OcclusionMask open = rays.cast & ~blocked;
     if (parts != nullptr) open = open & parts->existing;
-    const std::uint32_t excluded = i == 0 ? excluded_primitive : kNoPrimitive;
-    if (open.any()) blocked = blocked | trace_level(i, rays, open, parts, excluded);
+    if (open.any()) blocked = blocked | trace_level(i, receiver, rays, open, parts);
   }
   return blocked;
 }
 
-OcclusionMask Tracer::Visit::trace_level(std::size_t level, const ReceiverRays& rays, const OcclusionMask& open,
-                                         const bvh::RayParts* parts, std::uint32_t excluded_primitive) {
-  const RayOptions& options = tracer_.options_;
-  const bvh::Layout& layout = tracer_.levels_[level].occluders.layout();
-  const bvh::Query query{.roots = entries_.empty() ? layout.roots() : entries_[level].nodes(),
-                         .rays = rays,
-                         .open = open,
-                         .radius = rays.radius,
-                         .sidedness = options.sidedness,
-                         .excluded_primitive = excluded_primitive,
-                         .parts = parts,
-                         .memory = memories_ ? &(*memories_)[level] : nullptr};
-  if (const auto* const by_table = std::get_if<ByTable>(&tracer_.kernel_)) {
-    return bvh::trace_table(layout, query, by_table->table, by_table->node_masks);
+OcclusionMask Tracer::Visit::trace_level(std::size_t level, const Receiver& receiver, const ReceiverRays& rays,
+                                         const OcclusionMask& open, const bvh::RayParts* parts) {
+  const bvh::SceneLayout& scene = tracer_.levels_[level].occluders.layout();
+  const bvh::Layout* const mesh = scene.plain();
+  bvh::Query query{.roots = mesh != nullptr ? mesh->roots() : scene.roots(),
+                   .rays = rays,
+                   .open = open,
+                   .radius = rays.radius,
+                   .sidedness = tracer_.options_.sidedness,
+                   .excluded_primitive = level == 0 ? receiver.excluded_primitive : kNoPrimitive,
+                   .parts = parts,
+                   .excluded_instance = receiver.excluded_instance,
+                   .groups = receiver.occluder_groups};
+  if (!entries_.empty()) query.roots = entries_[level].nodes();
+  if (mesh == nullptr) return tracer_.trace(scene, query);
+  if (!bvh::may_block(scene, query, 0)) return {};
+  if (query.excluded_instance != 0) query.excluded_primitive = kNoPrimitive;
+  if (memories_) query.memory = &(*memories_)[level];
+  return tracer_.trace(*mesh, query);
+}
+
+OcclusionMask Tracer::trace(const bvh::Layout& mesh, const bvh::Query& query) const {
+  if (const auto* const by_table = std::get_if<ByTable>(&kernel_)) {
+    return bvh::trace_table(mesh, query, by_table->table, by_table->node_masks);
   }
-  return tracer_.is_simd() ? bvh::trace_simd(layout, query, tracer_.cones_) : bvh::trace_scalar(layout, query);
+  return is_simd() ? bvh::trace_simd(mesh, query, cones_) : bvh::trace_scalar(mesh, query);
+}
+
+OcclusionMask Tracer::trace(const bvh::SceneLayout& scene, const bvh::Query& query) const {
+  if (const auto* const by_table = std::get_if<ByTable>(&kernel_)) {
+    return bvh::trace_table(scene, query, by_table->table, by_table->node_masks);
+  }
+  return is_simd() ? bvh::trace_simd(scene, query) : bvh::trace_scalar(scene, query);
 }
 
 }  // namespace lkao::query

@@ -9,6 +9,8 @@
 
 #include "bvh/entry_nodes.h"
 #include "bvh/pattern_cones.h"
+#include "bvh/query.h"
+#include "bvh/scene_layout.h"
 #include "lkao/ambient_occlusion.h"
 #include "query/blocker_memories.h"
 #include "query/levels.h"
@@ -31,7 +33,7 @@ class Tracer {
          const AnyKernel& kernel);
 
   const RayOptions& options() const { return options_; }
-  const OccluderBvh& first_occluders() const { return levels_.front().occluders; }
+  const OccluderScene& first_occluders() const { return levels_.front().occluders; }
   const PlaneMaskTable* table() const;
 
   // The rays that a receiver of this index casts.
@@ -50,9 +52,9 @@ class Tracer {
     OcclusionMask trace(const Receiver& receiver, std::uint64_t index, ReceiverRays& rays);
 
    private:
-    OcclusionMask trace_levels(const ReceiverRays& rays, std::uint32_t excluded_primitive);
-    OcclusionMask trace_level(std::size_t level, const ReceiverRays& rays, const OcclusionMask& open,
-                              const bvh::RayParts* parts, std::uint32_t excluded_primitive);
+    OcclusionMask trace_levels(const Receiver& receiver, const ReceiverRays& rays);
+    OcclusionMask trace_level(std::size_t level, const Receiver& receiver, const ReceiverRays& rays,
+                              const OcclusionMask& open, const bvh::RayParts* parts);
 
     const Tracer& tracer_;
     std::vector<bvh::EntryNodes> entries_;  // one for each level; empty: enter at the roots
@@ -61,6 +63,8 @@ class Tracer {
 
  private:
   bool is_simd() const;
+  OcclusionMask trace(const bvh::Layout& mesh, const bvh::Query& query) const;
+  OcclusionMask trace(const bvh::SceneLayout& scene, const bvh::Query& query) const;
 
   RayOptions options_;
   std::vector<Level> levels_;

@@ -12,6 +12,7 @@
 #include "lkao/gl/frame.h"
 #include "lkao/gl/status.h"
 #include "lkao/index_view.h"
+#include "lkao/mesh_instance.h"
 #include "lkao/position_view.h"
 #include "lkao/requirements.h"
 
@@ -24,15 +25,7 @@ enum class GeometryBackEnd {
   vertex_pulling,   // indexed draws without vertex attributes
 };
 
-// A mesh, in arrays of any layout and in a space of its own, and where it stands. Instances whose positions are the
-// same array share one copy of it.
-struct MeshInstance {
-  PositionView positions;
-  IndexView triangles;
-  // Any affine transform to the world, mirrors and shears too. Positions are found as a CPU does that multiplies in
-  // double and rounds once.
-  glm::mat4x3 to_world{1};
-};
+using lkao::MeshInstance;
 
 class MeshBuffers;
 class Instances;

@@ -1,0 +1,160 @@
+#include "bvh/place_rays.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+
+namespace lkao::bvh {
+namespace {
+
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+
+// Vectors from the world to the mesh's space: rounded once, after sums in double.
+class Turn {
+ public:
+  explicit Turn(const glm::dmat4x3& to_mesh) : m_(to_mesh) {}
+
+  float x(double a, double b, double c) const { return row(0, a, b, c); }
+  float y(double a, double b, double c) const { return row(1, a, b, c); }
+  float z(double a, double b, double c) const { return row(2, a, b, c); }
+
+ private:
+  float row(int i, double a, double b, double c) const {
+    return static_cast<float>(m_[0][i] * a + m_[1][i] * b + m_[2][i] * c);
+  }
+
+  glm::dmat4x3 m_;
+};
+
+// Lists the open rays, and rays without length up to a whole word of a mask.
+void pick_rays(PlacedRays& placed) {
+  const Query& world = placed.world;
+  ReceiverRays& rays = placed.rays;
+  const Turn turn(world.placement->to_mesh);
+  int count = 0;
+  for_each_ray(world.open, world.rays.word_count(),
+               [&](int ray) { placed.numbers[count++] = static_cast<std::uint16_t>(ray); });
+  rays.ray_count = count;
+  placed.open = OcclusionMask();
+  for (int word = 0; 64 * word < count; ++word) {
+    const int in_word = std::min(64, count - 64 * word);
+    placed.open.words[word] = ~std::uint64_t{0} >> (64 - in_word);
+  }
+  for (int i = 0; i < count; ++i) {
+    const int ray = placed.numbers[i];
+    const double x{world.rays.x[ray]}, y{world.rays.y[ray]}, z{world.rays.z[ray]};
+    rays.x[i] = turn.x(x, y, z);
+    rays.y[i] = turn.y(x, y, z);
+    rays.z[i] = turn.z(x, y, z);
+  }
+  for (int i = count; i < 64 * word_count_of(count); ++i) rays.x[i] = rays.y[i] = rays.z[i] = 0;
+}
+
+void pick_parts(PlacedRays& placed) {
+  const RayParts& from = *placed.world.parts;
+  for (int i = 0; i < placed.rays.ray_count; ++i) {
+    placed.parts.begin[i] = from.begin[placed.numbers[i]];
+    placed.parts.end[i] = from.end[placed.numbers[i]];
+  }
+  for (int i = placed.rays.ray_count; i < 64 * word_count_of(placed.rays.ray_count); ++i) {
+    placed.parts.begin[i] = placed.parts.end[i] = 0;
+  }
+  placed.parts.near = 0.999f * from.near * placed.world.placement->shrink;
+  placed.parts.far = placed.rays.radius;
+}
+
+float longest(const ReceiverRays& rays) {
+  float longest2 = 0;
+  for (int i = 0; i < rays.ray_count; ++i) {
+    longest2 = std::max(longest2, rays.x[i] * rays.x[i] + rays.y[i] * rays.y[i] + rays.z[i] * rays.z[i]);
+  }
+  return std::sqrt(longest2);
+}
+
+// How far off corners are, by axis: their own displacement, that of the origin, and what the definition grants.
+glm::vec3 uncertainty(const PlacedRays& placed) {
+  const Query& world = placed.world;
+  const Placement& placement = *world.placement;
+  glm::vec3 result;
+  for (int axis = 0; axis < 3; ++axis) {
+    double sum = 0;
+    for (int row = 0; row < 3; ++row) {
+      const double farthest = std::max(std::fabs(double{placement.box.lower[row]}),  //
+                                       std::fabs(double{placement.box.upper[row]}));
+      const double size = std::fabs(double{world.rays.origin[row]}) + std::fabs(double{placement.to_world[3][row]}) +
+                          farthest + double{world.radius};
+      sum += std::fabs(placement.to_mesh[row][axis]) * size;
+    }
+    const double rounding = 0x1p-24 * (std::fabs(double{placed.rays.origin[axis]}) + double{placed.rays.radius});
+    result[axis] =
+        placement.displacement[axis] + std::nextafter(static_cast<float>(rounding + 0x1p-45 * sum), kInfinity);
+  }
+  return result;
+}
+
+}  // namespace
+
+bool place_rays(PlacedRays& placed) {
+  const Query& world = placed.world;
+  const Placement& placement = *world.placement;
+  if (!placement.suits_floats) return false;
+  ReceiverRays& rays = placed.rays;
+  const glm::dvec3 origin(world.rays.origin);
+  rays.origin = glm::vec3(placement.to_mesh * glm::dvec4(origin, 1));
+  // Across a plane, vectors go by the transposed matrix.
+  const glm::dmat3 linear(placement.to_world[0], placement.to_world[1], placement.to_world[2]);
+  rays.up = glm::vec3(glm::normalize(glm::transpose(linear) * glm::dvec3(world.rays.up)));
+  rays.frame = glm::mat3(1);
+  pick_rays(placed);
+  // A share more than the longest: bounds of rounding that are in proportion to it then cover that of the rays as well.
+  rays.radius = 1.125f * longest(rays);
+  if (!(rays.radius < 1e18f && rays.radius > 1e-18f) || !(glm::length(rays.origin) < 1e18f)) return false;
+  if (world.parts != nullptr) pick_parts(placed);
+  const glm::vec3 off = uncertainty(placed);
+  placed.displacement = 1.0001f * (off.x + off.y + off.z);
+  placed.face_origins[0] = rays.origin + 1.0001f * off;
+  placed.face_origins[1] = rays.origin - 1.0001f * off;
+  for (int axis = 0; axis < 3; ++axis) {
+    placed.face_origins[0][axis] = std::nextafter(placed.face_origins[0][axis], kInfinity);
+    placed.face_origins[1][axis] = std::nextafter(placed.face_origins[1][axis], -kInfinity);
+  }
+  return true;
+}
+
+Query query_of(const PlacedRays& placed) {
+  const Query& world = placed.world;
+  return {.roots = world.roots,
+          .rays = placed.rays,
+          .open = placed.open,
+          .radius = placed.rays.radius,
+          .sidedness = world.sidedness,
+          .excluded_primitive = world.excluded_primitive,
+          .parts = world.parts != nullptr ? &placed.parts : nullptr,
+          .placement = world.placement,
+          .placed = &placed,
+          .face_origins = {placed.face_origins[0], placed.face_origins[1]}};
+}
+
+OcclusionMask in_world(const PlacedRays& placed, const OcclusionMask& blocked) {
+  OcclusionMask mask;
+  for_each_ray(blocked, placed.rays.word_count(), [&](int ray) { mask.set(placed.numbers[ray]); });
+  return mask;
+}
+
+const PatternCones& cones_of_any_rays() {
+  static const PatternCones kCones = [] {
+    PatternCones cones;
+    std::fill_n(cones.x, PatternCones::kMaxCount, 0.0f);
+    std::fill_n(cones.y, PatternCones::kMaxCount, 0.0f);
+    std::fill_n(cones.z, PatternCones::kMaxCount, 1.0f);
+    std::fill_n(cones.cosine, PatternCones::kMaxCount, -1.0f);
+    std::fill_n(cones.sine, PatternCones::kMaxCount, 1.0f);
+    return cones;
+  }();
+  return kCones;
+}
+
+}  // namespace lkao::bvh

@@ -1,0 +1,139 @@
+// Compiled once for every SIMD target (Highway); the fastest that the processor has is chosen at run time.
+#include "bvh/simd_scene.h"
+
+#include <bit>
+#include <cstring>
+
+#include "bvh/place_rays.h"
+#include "bvh/scalar_kernel.h"
+#include "bvh/scene_query.h"
+#include "bvh/simd_kernel.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "bvh/simd_scene.cpp"
+#include <hwy/foreach_target.h>
+
+#include <hwy/highway.h>
+
+#include "lut/isa.h"
+
+#if HWY_TARGET == HWY_SCALAR  // no vectors, nothing to gain
+
+HWY_BEFORE_NAMESPACE();
+namespace lkao::bvh::HWY_NAMESPACE {
+namespace {
+
+OcclusionMask trace_simd(const SceneLayout& scene, const Query& query) { return trace_scalar(scene, query); }
+
+}  // namespace
+}  // namespace lkao::bvh::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#else
+
+#include "bvh/simd/box_masks-inl.h"
+#include "bvh/simd/ray_sets-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace lkao::bvh::HWY_NAMESPACE {
+namespace {
+
+template <class Parts>
+class SceneTraversal {
+ public:
+  SceneTraversal(const SceneLayout& scene, const Query& query)
+      : scene_(scene), query_(query), rays_(query), parts_(query) {}
+
+  OcclusionMask run() {
+    for (const Node& root : query_.roots) visit(root, {rays_.open, rays_.chunk_count});
+    return query_.open & ~rays_.open_mask();
+  }
+
+ private:
+  // `active`: rays that may meet the node, some of them perhaps blocked by now. Nearest children first would be better;
+  // the last ones, which the builder gives the fewest instances, cost no sorting.
+  void visit(const Node& node, const ActiveRays& active) {
+    const RelativeBoxes<Parts> boxes(node, query_);
+    for (std::uint32_t children = boxes.reached(); children != 0;) {
+      const int child = 31 - std::countl_zero(children);
+      children ^= 1u << child;
+      ChunkMasks met;
+      const ActiveRays rays = rays_meeting(boxes, child, active, met);
+      if (rays.count == 0) continue;
+      const ChildRef ref = node.children[child];
+      if (ref.is_leaf()) {
+        visit_instance(ref.index(), rays);
+      } else {
+        visit(scene_.nodes[ref.index()], rays);
+      }
+    }
+  }
+
+  // Open rays of `active` that may meet the child.
+  HWY_INLINE ActiveRays rays_meeting(const RelativeBoxes<Parts>& boxes, int child, const ActiveRays& active,
+                                     ChunkMasks& met) const {
+    const bool holds_origin = (boxes.holding_origin() >> child & 1) != 0;
+    met.clear(rays_.chunk_count);
+    std::uint64_t chunks = 0;
+    int count = 0;
+    for_each_chunk(active.chunks, [&](int chunk) {
+      std::uint32_t mask = static_cast<std::uint32_t>(active.masks[chunk]) & rays_.open[chunk];
+      if (!holds_origin && mask != 0) mask &= boxes.rays_meeting(child, rays_, parts_, chunk);
+      met.of[chunk] = static_cast<std::uint16_t>(mask);
+      chunks |= static_cast<std::uint64_t>(mask != 0) << chunk;
+      count += std::popcount(mask);
+    });
+    return {met.of, chunks, count};
+  }
+
+  void visit_instance(std::uint32_t instance, const ActiveRays& rays) {
+    if (!may_block(scene_, query_, instance)) return;
+    OcclusionMask open;
+    std::memcpy(open.words, rays.masks, sizeof(std::uint16_t) * static_cast<std::size_t>(rays_.chunk_count));
+    const OcclusionMask closed = blocked_by(instance, open);
+    for (int chunk = 0; chunk < rays_.chunk_count; ++chunk) {
+      rays_.open[chunk] &= static_cast<std::uint16_t>(~(closed.words[chunk / 4] >> (chunk % 4 * kLaneCount)));
+    }
+  }
+
+  HWY_NOINLINE OcclusionMask blocked_by(std::uint32_t instance, const OcclusionMask& open) const {
+    const Query query = query_of_instance(scene_, query_, instance, open);
+    const Layout& mesh = scene_.mesh_of(scene_.placements[instance]);
+    PlacedRays placed(query);
+    // Where the transform takes them out of the range of floats, the definition is asked at once.
+    if (!place_rays(placed)) return trace_scalar(mesh, query);
+    return in_world(placed, bvh::trace_simd(mesh, query_of(placed), cones_of_any_rays()));
+  }
+
+  const SceneLayout& scene_;
+  const Query& query_;
+  RaySet rays_;
+  Parts parts_;
+};
+
+template <class Parts>
+HWY_NOINLINE OcclusionMask traverse(const SceneLayout& scene, const Query& query) {
+  return SceneTraversal<Parts>(scene, query).run();
+}
+
+OcclusionMask trace_simd(const SceneLayout& scene, const Query& query) {
+  return query.parts != nullptr ? traverse<PartsOfRays>(scene, query) : traverse<WholeRays>(scene, query);
+}
+
+}  // namespace
+}  // namespace lkao::bvh::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif
+
+#if HWY_ONCE
+namespace lkao::bvh {
+
+HWY_EXPORT(trace_simd);
+
+OcclusionMask trace_simd(const SceneLayout& scene, const Query& query) {
+  return LKAO_DISPATCH(trace_simd)(scene, query);
+}
+
+}  // namespace lkao::bvh
+#endif

@@ -1,0 +1,14 @@
+// The vector kernel on a scene of many instances.
+#pragma once
+
+#include "bvh/query.h"
+#include "bvh/scene_layout.h"
+
+namespace lkao::bvh {
+
+// Which of the cast rays are blocked: equal to trace_scalar bit for bit on every SIMD target. Once through the nodes
+// over the instances with all rays, then, for each instance that some of them may meet, through its mesh's hierarchy
+// with those. Allocates nothing; any thread.
+OcclusionMask trace_simd(const SceneLayout& scene, const Query& query);
+
+}  // namespace lkao::bvh
