@@ -20,6 +20,8 @@ Command add_rays_command(CLI::App& program);
 Command add_spread_command(CLI::App& program);
 // Builds against Embree.
 Command add_build_command(CLI::App& program);
+// Scenes of instances against Embree's.
+Command add_instances_command(CLI::App& program);
 // The rasterised method against the query; where OpenGL is built.
 Command add_raster_command(CLI::App& program);
 // Ambient occlusion volumes against rays; where OpenGL is built.
