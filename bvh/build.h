@@ -1,6 +1,7 @@
 // From a mesh to a finished hierarchy.
 #pragma once
 
+#include <cstddef>
 #include <memory>
 
 #include "bvh/layout.h"
@@ -8,6 +9,9 @@
 namespace lkao::bvh {
 
 // As OccluderBvh's constructor says.
-std::shared_ptr<const Layout> build(const TriangleMesh& mesh, const BuildOptions& options, const Progress& progress);
+std::shared_ptr<Layout> build(const TriangleMesh& mesh, const BuildOptions& options, const Progress& progress);
+
+// What the report of a finished layout says of it.
+std::size_t memory_bytes(const Layout& layout);
 
 }  // namespace lkao::bvh

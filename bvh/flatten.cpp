@@ -1,28 +1,14 @@
 #include "bvh/flatten.h"
 
-#include <algorithm>
-#include <cmath>
 #include <cstdint>
-#include <limits>
 
 #include <tbb/parallel_for.h>
 
+#include "bvh/box_margin.h"
 #include "bvh/leaf.h"
 
 namespace lkao::bvh {
 namespace {
-
-// Faces move out: see Node.
-Bounds with_margin(const Bounds& bounds) {
-  constexpr float kInfinity = std::numeric_limits<float>::infinity();
-  Bounds box;
-  for (int axis = 0; axis < 3; ++axis) {
-    const float lower = bounds.lower[axis], upper = bounds.upper[axis];
-    box.lower[axis] = std::min(std::nextafter(lower, -kInfinity), lower - Node::kMargin);
-    box.upper[axis] = std::max(std::nextafter(upper, kInfinity), upper + Node::kMargin);
-  }
-  return box;
-}
 
 class Flattener {
  public:

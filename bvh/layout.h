@@ -2,6 +2,7 @@
 // that one vector instruction sees the same field of 8 children or 4 triangles.
 #pragma once
 
+#include <compare>
 #include <cstdint>
 #include <limits>
 #include <span>
@@ -70,10 +71,13 @@ struct alignas(64) Node {
     }
     children[child] = ref;
   }
-  void clear_child(int child) {
+  void clear_child(int child) { set_unreachable(child, ChildRef::none()); }
+  // A child that holds nothing which blocks a ray: its box is as that of an empty one.
+  void set_unreachable(int child, ChildRef ref) {
     const glm::vec3 infinity(std::numeric_limits<float>::infinity());
-    set_child(child, {infinity, infinity}, ChildRef::none());
+    set_child(child, {infinity, infinity}, ref);
   }
+  bool is_unreachable(int child) const { return faces[0][0][child] == std::numeric_limits<float>::infinity(); }
 };
 
 // What decides about rays and up to 4 triangles in single precision, from a receiver anywhere: see make_leaf. Triangles
@@ -99,12 +103,27 @@ inline const Node& root_of(std::span<const Node> nodes) {
   return nodes.empty() ? kEmpty : nodes[0];
 }
 
+// A triangle of a leaf that blocks nothing where a refit has put its corners. The leaf has left it out, and its box;
+// the next refit looks at it again.
+struct RestingTriangle {
+  std::uint32_t leaf;
+  std::uint32_t primitive;
+
+  friend auto operator<=>(const RestingTriangle&, const RestingTriangle&) = default;
+};
+
 struct Layout {
   std::vector<Node, HugePageAllocator<Node>> nodes;  // the root first
   std::vector<Leaf, HugePageAllocator<Leaf>> leaves;
   PackedMesh mesh;  // for TriangleTest
   Bounds bounds;
   BuildReport report;
+
+  // For refits.
+  BuildOptions options;
+  double built_cost = 0;                 // surface_area_cost() at the build
+  std::vector<std::uint32_t> dropped;    // primitives in no leaf, in order
+  std::vector<RestingTriangle> resting;  // in order
 
   const Node& root() const { return root_of(nodes); }
   std::span<const Node> roots() const { return {&root(), 1}; }

@@ -58,12 +58,8 @@ struct PlacedRays {
 };
 
 // Corners as they count: in the world, counter-clockwise where the mesh's are.
-struct Corners {
-  glm::vec3 a, b, c;
-};
 inline Corners corners_of(const Layout& layout, std::uint32_t primitive, const Query& query) {
-  const PackedMesh& mesh = layout.mesh;
-  const Corners own{mesh.corner(primitive, 0), mesh.corner(primitive, 1), mesh.corner(primitive, 2)};
+  const Corners own = layout.mesh.corners(primitive);
   if (query.placement == nullptr) return own;
   const glm::mat4x3& to_world = query.placement->to_world;
   const Corners placed{place(to_world, own.a), place(to_world, own.b), place(to_world, own.c)};

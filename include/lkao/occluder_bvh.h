@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <utility>
 
 #include <glm/vec3.hpp>
 
@@ -35,15 +36,34 @@ struct Bounds {
   glm::vec3 upper;
 };
 
+// Where a hierarchy finds the corners of a triangle. Queries ask for them where a ray passes an edge so closely that
+// the floats in the leaves cannot decide, one in a thousand times; by Kernel::scalar and tables each time.
+enum class MeshStorage {
+  // In a packed copy of its own: the mesh may go after the build.
+  copy,
+  // In the host's arrays, whatever their layout: the mesh is in memory once. They must stay where they are, and hold
+  // what they hold, as long as the hierarchy, its copies or queries of them are in use.
+  refer
+};
+
 struct BuildOptions {
   // Let the builder cut long triangles by splitting their boxes. Takes 3 to 6 times as long to build and up to a third
   // more memory. By the surface area heuristic it saves 5 to 17 % of the work in rooms and dioramas, 2 to 4 %
   // outdoors and next to nothing in scans (bench/results/build.csv).
+  //
+  // A refit undoes what they gain, since its boxes hold whole triangles: leave them out for what moves.
   bool spatial_splits = true;
   // Keep triangles without area, for a mesh that shall stand elsewhere (OccluderScene): there their corners are rounded
   // anew, and they close what would otherwise be a crack beside them. Where the mesh is they block nothing all the
   // same, and are counted as dropped.
   bool keep_zero_area = false;
+  MeshStorage mesh_storage = MeshStorage::copy;
+};
+
+struct RefitOptions {
+  // A hierarchy whose growth (BuildReport) would be more is built anew instead. At least 1, or infinity: then only
+  // what OccluderBvh::refitted says is.
+  double max_growth = 2;
 };
 
 // What the build found and made. Every triangle of the mesh is an occluder or counted as dropped.
@@ -54,8 +74,15 @@ struct BuildReport {
   std::size_t non_finite_count = 0;  // dropped: a corner with a coordinate that is NaN or beyond 1e18
   std::size_t reference_count = 0;   // leaf entries, occluder_count plus those made by spatial splits
   std::size_t node_count = 0;
-  std::size_t memory_bytes = 0;  // of the finished hierarchy, with its copy of the mesh
-  double seconds = 0;            // wall-clock time of the build
+  std::size_t memory_bytes = 0;  // of the finished hierarchy, with its copy of the mesh if it has one
+  double seconds = 0;            // wall-clock time of the build or refit
+  // Nodes and leaves that a long ray through the bounds is expected to visit, by the surface area heuristic. 0 where
+  // there is no occluder.
+  double surface_area_cost = 0;
+  // That cost over what it was at the build: 1 after a build, usually more after a refit. What a refit has made of the
+  // hierarchy is seldom worse than this says; where triangles have become larger it is better, since then a hierarchy
+  // built anew costs more than the old one, too.
+  double growth = 1;
 };
 
 namespace bvh {
@@ -63,7 +90,8 @@ struct Layout;
 }
 
 // An immutable hierarchy over the triangles of a mesh: 8 children a node, at most 4 triangles a leaf. It keeps a packed
-// copy of the mesh, which may go after the build. Copies of the hierarchy share their storage.
+// copy of the mesh, which may go after the build, or refers to the host's (MeshStorage). Copies of the hierarchy share
+// their storage.
 //
 // The constructor builds in parallel, in the TBB arena of the caller; the hierarchy is the same on any number
 // of threads. It throws std::invalid_argument where an index is outside `positions`, naming triangle and
@@ -72,6 +100,22 @@ struct Layout;
 class LKAO_API OccluderBvh {
  public:
   explicit OccluderBvh(const TriangleMesh& mesh, const BuildOptions& options = {}, const Progress& progress = {});
+
+  // The same triangles where their corners have moved to: a hierarchy of its own, with the nodes and leaves of this one
+  // and new boxes. Queries answer as in one built from the new positions, bit for bit; they get slower the more the
+  // motion tears apart what was together (BuildReport::growth). Takes a fifth of the time of a build without spatial
+  // splits (bench/results/refit.csv), as long as a build instead where growth would be more than options.max_growth,
+  // or where a triangle that the build had dropped has become usable: it is built anew then, with the same options.
+  // Triangles that have become unusable are counted as if a build had dropped them, and come back with a later refit
+  // of the result.
+  //
+  // As many positions as at the build, in any layout and with any origin; with MeshStorage::refer the result refers to
+  // them, and to the triangles of the build. This hierarchy stays as it is and may be in use meanwhile, unless it
+  // refers to positions that have been overwritten. Threads as of the constructor. Throws std::invalid_argument where
+  // the number of positions is another or max_growth less than 1, std::bad_alloc, and Cancelled where `progress`, which
+  // counts leaves, stops it; a build that follows counts anew.
+  OccluderBvh refitted(const PositionView& positions, const RefitOptions& options = {},
+                       const Progress& progress = {}) const;
 
   const BuildReport& report() const;
   // Of all occluders; lower = +infinity, upper = -infinity where there is none.
@@ -83,6 +127,8 @@ class LKAO_API OccluderBvh {
   const bvh::Layout& layout() const { return *layout_; }
 
  private:
+  explicit OccluderBvh(std::shared_ptr<const bvh::Layout> layout) : layout_(std::move(layout)) {}
+
   std::shared_ptr<const bvh::Layout> layout_;
 };
 

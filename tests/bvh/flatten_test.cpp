@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <map>
 #include <tuple>
 #include <utility>
@@ -14,12 +13,16 @@
 #include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 
+#include "equal_layouts.h"
 #include "layout_walk.h"
+#include "support/laid_out.h"
 #include "support/meshes.h"
 
 namespace lkao::bvh {
 namespace {
 
+using tests::expect_equal;
+using tests::LaidOut;
 using tests::LayoutWalk;
 using tests::Mesh;
 
@@ -93,19 +96,6 @@ TEST_P(FlattenedSoup, BoxesHoldEveryPointWithAMargin) {
   }
 }
 
-bool are_equal(const Node& a, const Node& b) {
-  return std::memcmp(a.faces, b.faces, sizeof(a.faces)) == 0 &&
-         std::memcmp(a.children, b.children, sizeof(a.children)) == 0;
-}
-
-bool are_equal(const Leaf& a, const Leaf& b) { return std::memcmp(&a, &b, sizeof(Leaf)) == 0; }
-
-template <typename Vector>
-void expect_equal(const Vector& a, const Vector& b) {
-  ASSERT_EQ(a.size(), b.size());
-  for (std::size_t i = 0; i < a.size(); ++i) ASSERT_TRUE(are_equal(a[i], b[i])) << i;
-}
-
 // Worth splitting.
 Mesh long_slivers(int count) {
   Mesh mesh = tests::random_soup(count, 1.0f, 43);
@@ -132,35 +122,6 @@ TEST(SpatialSplits, MakeTheBoxesOfSliversSmaller) {
   EXPECT_LT(mean_leaf_area(split.layout()), 0.9 * mean_leaf_area(whole.layout()));
   EXPECT_LE(split.report().reference_count, mesh.triangles.size() * 2);
 }
-
-// The mesh as a renderer might have it: points and triangles with something else between them, at any address.
-template <typename Index>
-class LaidOut {
- public:
-  LaidOut(const Mesh& mesh, std::size_t offset, std::size_t gap)
-      : position_stride_(sizeof(glm::vec3) + gap),
-        triangle_stride_(3 * sizeof(Index) + gap),
-        positions_(offset + mesh.positions.size() * position_stride_, kGarbage),
-        triangles_(offset + mesh.triangles.size() * triangle_stride_, kGarbage),
-        mesh_{{reinterpret_cast<const float*>(&positions_[offset]), mesh.positions.size(), position_stride_},
-              {reinterpret_cast<const Index*>(&triangles_[offset]), mesh.triangles.size(), triangle_stride_}} {
-    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
-      std::memcpy(&positions_[offset + i * position_stride_], &mesh.positions[i], sizeof(glm::vec3));
-    }
-    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-      const glm::vec<3, Index> triangle(mesh.triangles[i]);
-      std::memcpy(&triangles_[offset + i * triangle_stride_], &triangle, sizeof(triangle));
-    }
-  }
-
-  const TriangleMesh& view() const { return mesh_; }
-
- private:
-  static constexpr std::byte kGarbage{0xff};
-  std::size_t position_stride_, triangle_stride_;
-  std::vector<std::byte> positions_, triangles_;
-  TriangleMesh mesh_;
-};
 
 template <typename Index>
 void expect_same_from(const Mesh& mesh) {

@@ -1,0 +1,29 @@
+// Boxes around triangles.
+#pragma once
+
+#include <limits>
+
+#include <glm/common.hpp>
+#include <glm/vec3.hpp>
+
+#include "bvh/usable_triangle.h"
+#include "lkao/occluder_bvh.h"
+
+namespace lkao::bvh {
+
+// The box around nothing, as a beginning for merge().
+inline constexpr Bounds kNowhere{glm::vec3(std::numeric_limits<float>::infinity()),
+                                 glm::vec3(-std::numeric_limits<float>::infinity())};
+
+inline bool is_nowhere(const Bounds& box) { return box.lower.x > box.upper.x; }
+
+inline Bounds merge(const Bounds& a, const Bounds& b) {
+  return {glm::min(a.lower, b.lower), glm::max(a.upper, b.upper)};
+}
+
+inline Bounds bounds_of(const Corners& corners) {
+  const auto& [a, b, c] = corners;
+  return {glm::min(a, glm::min(b, c)), glm::max(a, glm::max(b, c))};
+}
+
+}  // namespace lkao::bvh
