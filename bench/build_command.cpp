@@ -148,7 +148,7 @@ class BuildComparison {
 
   BuildOptions options_;
   CsvFile csv_;
-  const Columns columns_ = build_table_columns();
+  const Columns columns_ = build_table_columns(options_.methods);
   std::vector<BuildCell> cells_;
 };
 

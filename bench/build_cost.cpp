@@ -61,12 +61,13 @@ BuildCost build_embree(const TriangleMesh& mesh, RTCBuildQuality quality) {
   return {seconds, cpu_seconds, static_cast<std::size_t>(bytes - bytes_before), static_cast<std::size_t>(buffer_bytes)};
 }
 
-BuildCost build_lkao(const TriangleMesh& mesh, bool spatial_splits) {
+BuildCost build_lkao(const TriangleMesh& mesh, const BuildOptions& options) {
   const Stopwatches time;
-  OccluderBvh occluders(mesh, {.spatial_splits = spatial_splits});
+  OccluderBvh occluders(mesh, options);
   const double seconds = time.seconds(), cpu_seconds = time.cpu_seconds();
   const std::size_t memory_bytes = occluders.report().memory_bytes;
-  const std::size_t mesh_bytes = mesh.positions.size() * sizeof(glm::vec3) + mesh.triangles.size() * sizeof(glm::uvec3);
+  const std::size_t copy_bytes = mesh.positions.size() * sizeof(glm::vec3) + mesh.triangles.size() * sizeof(glm::uvec3);
+  const std::size_t mesh_bytes = options.mesh_storage == MeshStorage::copy ? copy_bytes : 0;
   return {seconds, cpu_seconds, memory_bytes, mesh_bytes, std::move(occluders)};
 }
 
@@ -75,9 +76,13 @@ BuildCost build_lkao(const TriangleMesh& mesh, bool spatial_splits) {
 BuildCost build_once(BuildMethod method, const TriangleMesh& mesh) {
   switch (method) {
     case BuildMethod::lkao:
-      return build_lkao(mesh, true);
+      return build_lkao(mesh, {});
     case BuildMethod::lkao_no_splits:
-      return build_lkao(mesh, false);
+      return build_lkao(mesh, {.spatial_splits = false});
+    case BuildMethod::lkao_refer:
+      return build_lkao(mesh, {.mesh_storage = MeshStorage::refer});
+    case BuildMethod::lkao_refer_no_splits:
+      return build_lkao(mesh, {.spatial_splits = false, .mesh_storage = MeshStorage::refer});
     case BuildMethod::embree_high:
       return build_embree(mesh, RTC_BUILD_QUALITY_HIGH);
     default:

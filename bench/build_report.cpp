@@ -103,9 +103,10 @@ Columns build_quality_columns() {
           {"query_us", "{:.3f}", 11, "us/receiver"}};
 }
 
-Columns build_table_columns() {
+Columns build_table_columns(const std::vector<BuildMethod>& methods) {
   Columns columns = {{"scene", "{}", -16}, {"triangles", "{}", 9}, {"threads", "{}", 7}};
   for (const auto& [word, method] : kBuildMethodWords) {
+    if (std::find(methods.begin(), methods.end(), method) == methods.end()) continue;
     const std::string name(word);
     columns.insert(columns.end(),
                    {kBar, {name, "{:.3f} s", 14}, {name + " bytes_per_triangle", "{:.1f}", 8, "bytes/t"}});
@@ -132,8 +133,11 @@ Measurement build_table_measurement(const BuildCell& cell) {
 }
 
 std::string build_summary(const std::vector<BuildCell>& cells) {
-  return summarize(cells, BuildMethod::lkao_no_splits) + summarize(cells, BuildMethod::embree_high) +
-         summarize(cells, BuildMethod::embree_medium);
+  std::string summary;
+  for (const auto& [word, method] : kBuildMethodWords) {
+    if (method != BuildMethod::lkao) summary += summarize(cells, method);
+  }
+  return summary;
 }
 
 }  // namespace lkao::bench

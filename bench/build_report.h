@@ -37,8 +37,8 @@ Columns build_csv_columns();
 // The hierarchies of lkao, and how fast queries are in them: of measurements with a quality.
 Columns build_quality_columns();
 
-// A row for every cell, all methods side by side.
-Columns build_table_columns();
+// A row for every cell, these methods side by side.
+Columns build_table_columns(const std::vector<BuildMethod>& methods);
 Measurement build_table_measurement(const BuildCell& cell);
 
 // Geometric means and worst cells of lkao against the other methods. Empty where there is nothing to compare.

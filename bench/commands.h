@@ -22,6 +22,8 @@ Command add_spread_command(CLI::App& program);
 Command add_build_command(CLI::App& program);
 // Scenes of instances against Embree's.
 Command add_instances_command(CLI::App& program);
+// Refits of deformed meshes against builds.
+Command add_refit_command(CLI::App& program);
 // The rasterised method against the query; where OpenGL is built.
 Command add_raster_command(CLI::App& program);
 // Ambient occlusion volumes against rays; where OpenGL is built.
