@@ -14,8 +14,8 @@ namespace {
 class RefitCommand : public ProgramTest {};
 
 TEST_F(RefitCommand, MeasuresEveryDeformation) {
-  expect_success({"refit", "--scenes", "sphere", "--rounds", "1", "--width", "16", "--height", "12", "--csv",
-                  path("refit.csv")});
+  expect_success(
+      {"refit", "--scenes", "sphere", "--rounds", "1", "--width", "16", "--height", "12", "--csv", path("refit.csv")});
   std::istringstream file(read_file("refit.csv"));
   std::string line = "#";
   while (line.starts_with('#')) std::getline(file, line);

@@ -129,7 +129,7 @@ TEST_P(Refit, LeavesOutTrianglesThatHaveBecomeUnusable) {
   const Mesh mesh = tests::random_soup(300, 0.4f, 76);
   const OccluderBvh occluders = build(mesh);
   OccluderBvh refitted = occluders;
-  for (const std::size_t every : {50, 4, 1, 7, 2}) {
+  for (const std::size_t every : {50u, 4u, 1u, 7u, 2u}) {
     SCOPED_TRACE(every);
     const Mesh moved = damaged(shaken(mesh, 0.1f, every), every);
     refitted = refitted.refitted(moved.positions, kNeverAnew);
@@ -146,7 +146,7 @@ TEST_P(Refit, LeavesOutTrianglesThatHaveBecomeUnusable) {
 
 TEST_P(Refit, IsABuildWhereADroppedTriangleHasBecomeUsable) {
   const Mesh mesh = tests::random_soup(60, 0.4f, 77);
-  for (const std::size_t every : {7, 1}) {  // some, or all
+  for (const std::size_t every : {7u, 1u}) {  // some, or all
     const Mesh bad = damaged(mesh, every);
     const OccluderBvh occluders = build(bad);
     EXPECT_LT(occluders.report().occluder_count, 60u);

@@ -42,21 +42,21 @@ class DataRace : public ::testing::TestWithParam<float> {
     std::mt19937 random(1);
     const auto coordinate = [&random] { return static_cast<float>(random()) / 2147483648.0f - 1.0f; };
     const auto point = [&coordinate] { return glm::vec3(coordinate(), coordinate(), coordinate()); };
-    std::vector<glm::vec3> positions;
     std::vector<glm::uvec3> triangles;
     for (std::uint32_t i = 0; i < 6000; i += 3) {
       const glm::vec3 centre = point();
-      for (int corner = 0; corner < 3; ++corner) positions.push_back(centre + 0.1f * point());
+      for (int corner = 0; corner < 3; ++corner) positions_.push_back(centre + 0.1f * point());
       triangles.emplace_back(i, i + 1, i + 2);
     }
     for (int i = 0; i < kReceiverCount; ++i) receivers_.push_back({.position = point(), .normal = point()});
     ASSERT_TRUE(run_and_join_workers([&] {
-      ao_.emplace(OccluderBvh({positions, triangles}), SamplePattern::standard(64), RayOptions{.radius = GetParam()});
+      ao_.emplace(OccluderBvh({positions_, triangles}), SamplePattern::standard(64), RayOptions{.radius = GetParam()});
     }));
     for (std::size_t i = 0; i < receivers_.size(); ++i) expected_.push_back(ao_->query(receivers_[i], i));
   }
 
   std::optional<AmbientOcclusion> ao_;
+  std::vector<glm::vec3> positions_;
   std::vector<Receiver> receivers_;
   std::vector<ReceiverOcclusion> expected_;  // by one thread, one after the other
 };
@@ -109,6 +109,30 @@ TEST_P(DataRace, OneObjectAnswersManyThreadsAtOnce) {
   }
   for (std::thread& thread : threads) thread.join();
   EXPECT_EQ(mismatch_counts, std::vector<std::size_t>(kThreadCount, 0));
+}
+
+// There and back, with triangles that rest in between, while another thread queries the hierarchy that is refitted.
+TEST_P(DataRace, RefitsWhileOthersQuery) {
+  std::size_t mismatch_count = 0;
+  std::thread other([&] {
+    for (std::size_t i = 0; i < receivers_.size(); ++i) {
+      if (!(ao_->query(receivers_[i], i).mask == expected_[i].mask)) ++mismatch_count;
+    }
+  });
+  std::vector<glm::vec3> moved = positions_;
+  for (std::size_t i = 0; i < moved.size(); i += 7) moved[i].x = std::numeric_limits<float>::quiet_NaN();
+  std::optional<OccluderBvh> there, back;
+  ASSERT_TRUE(run_and_join_workers([&] {
+    there.emplace(ao_->occluders().refitted(moved));
+    back.emplace(there->refitted(positions_));
+  }));
+  other.join();
+  EXPECT_EQ(mismatch_count, 0u);
+  EXPECT_LT(there->report().occluder_count, back->report().occluder_count);
+  const AmbientOcclusion ao(*back, ao_->pattern(), ao_->options());
+  for (std::size_t i = 0; i < receivers_.size(); ++i) {
+    ASSERT_EQ(ao.query(receivers_[i], i).mask, expected_[i].mask) << "receiver " << i;
+  }
 }
 
 TEST(DataRaceTable, IsBuiltOnSeveralThreads) {
