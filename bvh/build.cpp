@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "bvh/bounds.h"
+#include "bvh/cut_outs.h"
 #include "bvh/flatten.h"
 #include "bvh/split_builder.h"
 #include "bvh/surface_area.h"
@@ -52,6 +53,7 @@ std::shared_ptr<Layout> build(const TriangleMesh& mesh, const BuildOptions& opti
   const auto start = std::chrono::steady_clock::now();
   auto layout = std::make_shared<Layout>();
   layout->bounds = kNowhere;
+  check(options.cut_outs, mesh.triangles.size());
   layout->options = options;
   layout->mesh = pack(mesh, options.mesh_storage);
   const std::size_t triangle_count = mesh.triangles.size();

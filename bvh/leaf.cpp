@@ -1,5 +1,7 @@
 #include "bvh/leaf.h"
 
+#include "bvh/cut_outs.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -30,7 +32,7 @@ double largest_component(const glm::dvec3& v) {
   return std::max(std::fabs(v.x), std::max(std::fabs(v.y), std::fabs(v.z)));
 }
 
-void set_triangle(Leaf& leaf, int triangle, const glm::dvec3 (&corners)[3]) {
+void set_triangle(Leaf& leaf, int triangle, const glm::dvec3 (&corners)[3], bool has_frame) {
   const int first = corner_opposite_longest_edge(corners);
   const glm::dvec3 vertex = corners[first];
   const glm::dvec3 b = corners[(first + 1) % 3] - vertex, c = corners[(first + 2) % 3] - vertex;
@@ -43,7 +45,7 @@ void set_triangle(Leaf& leaf, int triangle, const glm::dvec3 (&corners)[3]) {
   // Thinner than this, even double precision has lost the direction of the normal.
   const bool is_thin = !(area2 > 0x1p-52 * glm::dot(b, b) * glm::dot(c, c));
   const bool fits_float = steepness < 0.5 * static_cast<double>(std::numeric_limits<float>::max());
-  if (is_thin || !fits_float) {
+  if (is_thin || !fits_float || !has_frame) {
     leaf.steepness[triangle] = std::numeric_limits<float>::infinity();
     return;  // gradients and normal stay 0
   }
@@ -55,7 +57,7 @@ void set_triangle(Leaf& leaf, int triangle, const glm::dvec3 (&corners)[3]) {
 
 }  // namespace
 
-Leaf make_leaf(const PackedMesh& mesh, std::span<const std::uint32_t> primitives) {
+Leaf make_leaf(const PackedMesh& mesh, std::span<const std::uint32_t> primitives, const CutOuts& cut_outs) {
   Leaf leaf{};
   for (int triangle = 0; triangle < kLeafWidth; ++triangle) {
     const auto place = static_cast<std::size_t>(triangle);
@@ -63,7 +65,8 @@ Leaf make_leaf(const PackedMesh& mesh, std::span<const std::uint32_t> primitives
     leaf.primitives[triangle] = primitive;
     set_triangle(leaf, triangle,
                  {glm::dvec3(mesh.corner(primitive, 0)), glm::dvec3(mesh.corner(primitive, 1)),
-                  glm::dvec3(mesh.corner(primitive, 2))});
+                  glm::dvec3(mesh.corner(primitive, 2))},
+                 !has_holes(cut_outs, primitive));
   }
   return leaf;
 }

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "bvh/layout.h"
+#include "lkao/cut_outs.h"
 
 namespace lkao::bvh {
 
@@ -17,6 +18,8 @@ namespace lkao::bvh {
 //
 // Of the three corners, `vertex` is the one opposite the longest edge: the third coordinate 1 - u - v is then no
 // steeper than twice the others, and keeps their precision.
-Leaf make_leaf(const PackedMesh& mesh, std::span<const std::uint32_t> primitives);
+//
+// Those with holes have no frame, like slivers: their rays are left to TriangleTest, which is asked about the holes.
+Leaf make_leaf(const PackedMesh& mesh, std::span<const std::uint32_t> primitives, const CutOuts& cut_outs = {});
 
 }  // namespace lkao::bvh

@@ -133,6 +133,8 @@ Query query_of(const PlacedRays& placed) {
           .sidedness = world.sidedness,
           .excluded_primitive = world.excluded_primitive,
           .parts = world.parts != nullptr ? &placed.parts : nullptr,
+          .instance = world.instance,
+          .key = world.key,
           .placement = world.placement,
           .placed = &placed,
           .face_origins = {placed.face_origins[0], placed.face_origins[1]}};

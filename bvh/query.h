@@ -6,6 +6,7 @@
 #include <span>
 
 #include "bvh/blocker_memory.h"
+#include "bvh/cut_outs.h"
 #include "bvh/layout.h"
 #include "bvh/placement.h"
 #include "bvh/ray_parts.h"
@@ -30,6 +31,8 @@ struct Query {
   // Of a scene: whose primitive is excluded, and what may block.
   std::uint32_t excluded_instance = 0;
   std::uint32_t groups = kAllGroups;
+  std::uint32_t instance = 0;  // the mesh's own number in it
+  std::uint64_t key = 0;       // receiver_key, for triangles with holes
   // Where the mesh stands; null: in the world, as its positions say.
   const Placement* placement = nullptr;
   // Of a mesh that stands somewhere: the rays are these, in its own space. Null: rays are in the world.
@@ -73,12 +76,20 @@ inline TriangleTest make_test(const Layout& layout, std::uint32_t primitive, con
   return {corners.a, corners.b, corners.c, world.rays.origin, world.radius, query.sidedness};
 }
 
-// The definition for one ray of the query.
-inline bool blocks(const TriangleTest& test, const Query& query, int ray) {
+// The definition for one ray of the query and the triangle that the test was made of.
+inline bool blocks(const TriangleTest& test, const Layout& layout, std::uint32_t primitive, const Query& query,
+                   int ray) {
   const Query& world = query.placed != nullptr ? query.placed->world : query;
   const int number = query.placed != nullptr ? query.placed->numbers[ray] : ray;
-  if (world.parts == nullptr) return test.blocks(world.rays.ray(number));
-  return test.blocks(world.rays.ray(number), world.parts->begin[number], world.parts->end[number]);
+  const glm::vec3 segment = world.rays.ray(number);
+  const bool meets = world.parts == nullptr
+                         ? test.blocks(segment)
+                         : test.blocks(segment, world.parts->begin[number], world.parts->end[number]);
+  if (!meets || !has_holes(layout.options.cut_outs, primitive)) return meets;
+  const glm::dvec2 place = test.place(segment);
+  const bool is_mirrored = query.placement != nullptr && query.placement->is_mirrored;
+  return is_blocked_there(layout.options.cut_outs, query.instance, primitive,
+                          is_mirrored ? glm::dvec2(place.y, place.x) : place, {query.key, number});
 }
 
 // Calls `function(ray)` for every ray of the mask.

@@ -4,10 +4,12 @@
 // three planes through the receiver and the triangle's edges, and the triangle's own plane.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include "lkao/receiver.h"
@@ -78,6 +80,14 @@ class TriangleTest {
     const double towards = glm::dot(glm::dvec3(ray), normal_);
     return blocks(ray) && towards * end >= distance_ - normal_slack(end) &&
            towards * begin <= distance_ + normal_slack(begin);
+  }
+
+  // Where the ray's line meets the plane, in weights of the second and the third corner. Requires blocks(ray).
+  glm::dvec2 place(const glm::vec3& ray) const {
+    const glm::dvec3 r(ray);
+    const double of_a = std::max(glm::dot(r, edges_[1]), 0.0), of_b = std::max(glm::dot(r, edges_[2]), 0.0),
+                 of_c = std::max(glm::dot(r, edges_[0]), 0.0), sum = of_a + of_b + of_c;
+    return sum > 0 ? glm::dvec2(of_b, of_c) / sum : glm::dvec2(0);
   }
 
   // The planes, for kernels that decide by other means first. Normals are not of unit length; rays beyond all of

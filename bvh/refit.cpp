@@ -105,7 +105,7 @@ class Refitter {
       *end++ = primitive;
     }
     if (end == primitives) ++end;  // a leaf that nothing reaches holds something as well
-    layout_.leaves[index] = make_leaf(layout_.mesh, {primitives, end});
+    layout_.leaves[index] = make_leaf(layout_.mesh, {primitives, end}, layout_.options.cut_outs);
     return bounds;
   }
 
@@ -201,7 +201,7 @@ namespace lkao {
 
 OccluderBvh OccluderBvh::refitted(const PositionView& positions, const RefitOptions& options,
                                   const Progress& progress) const {
-  return OccluderBvh(bvh::refit(*layout_, positions, options, progress));
+  return {Finished(), bvh::refit(*layout_, positions, options, progress)};
 }
 
 }  // namespace lkao

@@ -28,7 +28,7 @@ class ScalarKernel {
     const TriangleTest test = make_test(layout, primitive, query);
     if (!test.can_block()) return blocked;
     for_each_ray(mask, word_count_, [&](int ray) {
-      if (blocks(test, query, ray)) blocked.set(ray);
+      if (blocks(test, layout, primitive, query, ray)) blocked.set(ray);
     });
     return blocked;
   }

@@ -23,6 +23,8 @@ inline Query query_of_instance(const SceneLayout& scene, const Query& query, std
           .sidedness = query.sidedness,
           .excluded_primitive = instance == query.excluded_instance ? query.excluded_primitive : kNoPrimitive,
           .parts = query.parts,
+          .instance = instance,
+          .key = query.key,
           .placement = &placement};
 }
 

@@ -289,10 +289,11 @@ class SimdTraversal {
     std::uint32_t blocked = 0;
     for (int triangle = 0; triangle < leaf.triangle_count(); ++triangle) {
       if (leaf.primitives[triangle] == query_.excluded_primitive) continue;
-      const TriangleTest test = make_test(layout_, leaf.primitives[triangle], query_);
+      const std::uint32_t primitive = leaf.primitives[triangle];
+      const TriangleTest test = make_test(layout_, primitive, query_);
       for (std::uint32_t rest = test.can_block() ? lanes : 0; rest != 0; rest &= rest - 1) {
         const int lane = std::countr_zero(rest);
-        if (blocks(test, query_, chunk * kLaneCount + lane)) blocked |= 1u << lane;
+        if (blocks(test, layout_, primitive, query_, chunk * kLaneCount + lane)) blocked |= 1u << lane;
       }
     }
     return blocked;

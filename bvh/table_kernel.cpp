@@ -33,10 +33,11 @@ class TableKernel {
     if (is_culled(corners.a, corners.b, corners.c, query)) return blocked;
     const TriangleTest test = make_test(layout, primitive, query);
     if (!test.can_block()) return blocked;
-    const MaskBounds bounds = look_up(test, mask);
+    MaskBounds bounds = look_up(test, mask);
+    if (has_holes(layout.options.cut_outs, primitive)) bounds.must = OcclusionMask();
     blocked = bounds.must;
     for_each_ray(bounds.may & ~bounds.must, word_count_, [&](int ray) {
-      if (blocks(test, query, ray)) blocked.set(ray);
+      if (blocks(test, layout, primitive, query, ray)) blocked.set(ray);
     });
     return blocked;
   }

@@ -113,14 +113,17 @@ class LeafFrames {
     edge_slack_ =
         hn::Mul(hn::MulAdd(hn::Mul(steepness, reach), hn::Set(tag, 90.0f), hn::Set(tag, 12.0f)), radius_rounding);
     own_slack_ = hn::MulAdd(hn::Set(tag, 10.0f), radius_rounding, distance_slack);
-    if (HWY_UNLIKELY(receiver.displacement > 0))
-      allow_for_displacement(receiver, hn::Mul(steepness, reach), distance_slack);
+    auto side_slack = distance_slack;  // beyond it the origin is on the side that it seems to be
+    if (HWY_UNLIKELY(receiver.displacement > 0)) {
+      side_slack = allow_for_displacement(receiver, steepness, reach, distance_slack);
+      distance_slack = hn::MulAdd(hn::Set(tag, 1.1f), hn::Set(tag, receiver.displacement), distance_slack);
+    }
 
     // `!(x > y)` holds for NaN too.
     unsure_sides_ = kAllTriangles & ~bits_of(tag, hn::Gt(distance_, distance_slack));
     const Query& query = receiver.query;
     if (HWY_UNLIKELY(query.sidedness == Sidedness::one_sided)) {
-      candidates_ &= ~bits_of(tag, hn::Gt(behind, distance_slack));
+      candidates_ &= ~bits_of(tag, hn::Gt(behind, side_slack));
     }
     if (HWY_UNLIKELY(query.excluded_primitive != kNoPrimitive)) {
       for (int i = 0; i < kCount; ++i) {
@@ -181,7 +184,8 @@ class LeafFrames {
     const auto nearest = hn::NegMulAdd(hn::Set(tag, 1.6f), own_slack_, distance_);
     const auto is_out = hn::Gt(nearest, hn::Mul(largest, hn::Set(tag, far * 1.0001f)));
     // Not those that are left to TriangleTest: their normals are unknown.
-    const auto is_known = hn::Lt(edge_slack_, hn::Set(tag, std::numeric_limits<float>::infinity()));
+    const auto steepness = load([](const Leaf& leaf) { return leaf.steepness; });
+    const auto is_known = hn::Lt(steepness, hn::Set(tag, std::numeric_limits<float>::infinity()));
     return candidates_ & ~bits_of(tag, hn::And(is_out, is_known));
   }
 
@@ -204,23 +208,36 @@ class LeafFrames {
     return hn::MulAdd(load(rows, 0), x, hn::MulAdd(load(rows, 1), y, hn::Mul(load(rows, 2), z)));
   }
 
-  // Corners that are no farther from where they count than this, d, in the space of the rays.
+  // Where corners may be as far as d from where they count, all in the space of the rays. Returns the distance from
+  // the plane beyond which its side is sure; nearer ones are met for sure by no ray.
   //
-  // With S = g |p|, the normals of the edges' planes, in units of twice the area, are no longer than 1 + 5.5 S, so the
-  // origin's distance D to the plane is uncertain by d (1 + 11 S), and the plane near the triangle by d. A ray that
-  // meets the moved triangle in a corner's weights is as far beyond an edge as they say but for d times the normal,
-  // divided by the share of the ray up to there, which is no less than (D - d) / r. Where D is more than d (24 S + 4)
-  // that is d r / D (1.4 + 7.4 S); the other way round, from the triangle to the moved one, it is d r / D (2.4 + 11.4
-  // S), what d adds to the normals included. Where D is less, all rays are in doubt.
-  HWY_INLINE void allow_for_displacement(const LeafReceiver& receiver, Floats steep_reach, Floats& distance_slack) {
+  // A ray that meets the moved triangle does so no farther than d from the plane, so its own plane is uncertain by d,
+  // on whatever side the moved plane has the origin: where the origin is farther than d, rays away from it miss.
+  //
+  // Let u and v be the coordinates of the origin, w = 1 + |u| + |v|, D its distance and g the steepness, with d g less
+  // than 1/16. The moved plane has it at D' > 0.9 D - 2 d w. The normals of the edges' planes, in units of twice the
+  // area, are no longer than N = w + 3.5 g D, and those of the moved ones no longer than N + (0.4 g |p| + 0.45). A ray
+  // that meets the moved triangle is beyond each edge but for d times the normal, divided by the share of the ray up to
+  // there, more than (D - d) / r: where D > 9 d w, by 1.2 d N r / D. The other way round, from the triangle to the
+  // moved one, whose volume with the origin is more than half of the other's, it is 2 d (N + 0.4 g |p| + 0.45) r / D.
+  HWY_INLINE Floats allow_for_displacement(const LeafReceiver& receiver, Floats steepness, Floats reach,
+                                           Floats distance_slack) {
     const Tag tag;
     const auto by = hn::Set(tag, receiver.displacement), radius = hn::Set(tag, receiver.query.radius);
+    const auto sides = hn::Add(hn::Set(tag, 1.0f), hn::Add(hn::Abs(u_), hn::Abs(v_)));
+    const auto steep_reach = hn::Mul(steepness, reach);
+    const auto is_firm = hn::Lt(hn::Mul(by, steepness), hn::Set(tag, 0x1p-4f));
+    const auto side_slack = hn::IfThenElse(is_firm, hn::MulAdd(hn::Set(tag, 9.0f), hn::Mul(by, sides), distance_slack),
+                                           hn::Set(tag, std::numeric_limits<float>::infinity()));
+    const auto around =
+        hn::MulAdd(hn::Set(tag, 2.4f), sides, hn::MulAdd(hn::Set(tag, 0.9f), steep_reach, hn::Set(tag, 1.0f)));
+    const auto turned = hn::MulAdd(hn::Set(tag, 8.4f), steepness, hn::Div(around, distance_));
+    // No ray is farther beyond an edge than this, or less.
+    const auto most = hn::MulAdd(hn::Set(tag, 8.0f), steep_reach, hn::Set(tag, 2.0f));
+    const auto is_sure = hn::Gt(distance_, side_slack);
+    edge_slack_ = hn::MulAdd(hn::IfThenElse(is_sure, hn::Mul(by, turned), most), radius, edge_slack_);
     own_slack_ = hn::MulAdd(hn::Set(tag, 1.1f), by, own_slack_);
-    distance_slack = hn::MulAdd(by, hn::MulAdd(hn::Set(tag, 24.0f), steep_reach, hn::Set(tag, 4.0f)), distance_slack);
-    const auto turned = hn::MulAdd(hn::Set(tag, 12.0f), steep_reach, hn::Set(tag, 3.0f));
-    const auto more = hn::Div(hn::Mul(hn::Mul(by, radius), turned), distance_);
-    const auto infinity = hn::Set(tag, std::numeric_limits<float>::infinity());
-    edge_slack_ = hn::IfThenElse(hn::Gt(distance_, distance_slack), hn::Add(edge_slack_, more), infinity);
+    return side_slack;
   }
 
   // What is called seldom takes no part of this as an argument: all of it stays in registers.

@@ -250,8 +250,9 @@ class RayStream {
     const Verdict triangles = frames.blocked(rays_, parts_, rays);
     if (triangles.sure != 0) return true;
     for (std::uint32_t rest = triangles.perhaps; rest != 0; rest &= rest - 1) {
-      const TriangleTest test = make_test(layout_, leaf.primitives[std::countr_zero(rest)], query_);
-      if (test.can_block() && blocks(test, query_, static_cast<int>(ray))) return true;
+      const std::uint32_t primitive = leaf.primitives[std::countr_zero(rest)];
+      const TriangleTest test = make_test(layout_, primitive, query_);
+      if (test.can_block() && blocks(test, layout_, primitive, query_, static_cast<int>(ray))) return true;
     }
     return false;
   }

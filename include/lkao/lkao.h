@@ -19,6 +19,7 @@
 #pragma once
 
 #include "lkao/ambient_occlusion.h"
+#include "lkao/cut_outs.h"
 #include "lkao/index_view.h"
 #include "lkao/isa.h"
 #include "lkao/kernel.h"

@@ -8,6 +8,7 @@
 
 #include <glm/vec3.hpp>
 
+#include "lkao/cut_outs.h"
 #include "lkao/export.h"
 #include "lkao/index_view.h"
 #include "lkao/position_view.h"
@@ -58,6 +59,8 @@ struct BuildOptions {
   // same, and are counted as dropped.
   bool keep_zero_area = false;
   MeshStorage mesh_storage = MeshStorage::copy;
+  // Triangles with holes. Refits keep them.
+  CutOuts cut_outs = {};
 };
 
 struct RefitOptions {
@@ -127,7 +130,8 @@ class LKAO_API OccluderBvh {
   const bvh::Layout& layout() const { return *layout_; }
 
  private:
-  explicit OccluderBvh(std::shared_ptr<const bvh::Layout> layout) : layout_(std::move(layout)) {}
+  struct Finished {};
+  OccluderBvh(Finished, std::shared_ptr<const bvh::Layout> layout) : layout_(std::move(layout)) {}
 
   std::shared_ptr<const bvh::Layout> layout_;
 };

@@ -56,11 +56,12 @@ OcclusionMask Tracer::Visit::trace(const Receiver& receiver, std::uint64_t index
   tracer_.make_rays(receiver, index, rays);
   if (!rays.cast.any()) return {};
   const std::vector<Level>& levels = tracer_.levels_;
-  if (levels.size() > 1 || !levels[0].is_whole()) return trace_levels(receiver, rays);
-  return trace_level(0, receiver, rays, rays.cast, nullptr);
+  const std::uint64_t key = bvh::receiver_key(tracer_.options_.seed, index);
+  if (levels.size() > 1 || !levels[0].is_whole()) return trace_levels(receiver, rays, key);
+  return trace_level(0, receiver, rays, key, rays.cast, nullptr);
 }
 
-OcclusionMask Tracer::Visit::trace_levels(const Receiver& receiver, const ReceiverRays& rays) {
+OcclusionMask Tracer::Visit::trace_levels(const Receiver& receiver, const ReceiverRays& rays, std::uint64_t key) {
   const std::vector<Level>& levels = tracer_.levels_;
   OcclusionMask blocked;
   for (std::size_t i = 0; i < levels.size(); ++i) {
@@ -74,13 +75,13 @@ OcclusionMask Tracer::Visit::trace_levels(const Receiver& receiver, const Receiv
     }
     OcclusionMask open = rays.cast & ~blocked;
     if (parts != nullptr) open = open & parts->existing;
-    if (open.any()) blocked = blocked | trace_level(i, receiver, rays, open, parts);
+    if (open.any()) blocked = blocked | trace_level(i, receiver, rays, key, open, parts);
   }
   return blocked;
 }
 
 OcclusionMask Tracer::Visit::trace_level(std::size_t level, const Receiver& receiver, const ReceiverRays& rays,
-                                         const OcclusionMask& open, const bvh::RayParts* parts) {
+                                         std::uint64_t key, const OcclusionMask& open, const bvh::RayParts* parts) {
   const bvh::SceneLayout& scene = tracer_.levels_[level].occluders.layout();
   const bvh::Layout* const mesh = scene.plain();
   bvh::Query query{.roots = mesh != nullptr ? mesh->roots() : scene.roots(),
@@ -91,7 +92,8 @@ OcclusionMask Tracer::Visit::trace_level(std::size_t level, const Receiver& rece
                    .excluded_primitive = level == 0 ? receiver.excluded_primitive : kNoPrimitive,
                    .parts = parts,
                    .excluded_instance = receiver.excluded_instance,
-                   .groups = receiver.occluder_groups};
+                   .groups = receiver.occluder_groups,
+                   .key = key};
   if (!entries_.empty()) query.roots = entries_[level].nodes();
   if (mesh == nullptr) return tracer_.trace(scene, query);
   if (!bvh::may_block(scene, query, 0)) return {};

@@ -52,8 +52,9 @@ class Tracer {
     OcclusionMask trace(const Receiver& receiver, std::uint64_t index, ReceiverRays& rays);
 
    private:
-    OcclusionMask trace_levels(const Receiver& receiver, const ReceiverRays& rays);
-    OcclusionMask trace_level(std::size_t level, const Receiver& receiver, const ReceiverRays& rays,
+    // `key`: bvh::receiver_key.
+    OcclusionMask trace_levels(const Receiver& receiver, const ReceiverRays& rays, std::uint64_t key);
+    OcclusionMask trace_level(std::size_t level, const Receiver& receiver, const ReceiverRays& rays, std::uint64_t key,
                               const OcclusionMask& open, const bvh::RayParts* parts);
 
     const Tracer& tracer_;

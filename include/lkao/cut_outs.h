@@ -1,0 +1,32 @@
+// Triangles with holes: leaves, fences, hair cards.
+//
+// Based on: M. McGuire, "Ambient Occlusion Volumes", HPG 2010, Sec. 3.3 (a triangle's mean alpha stands for its
+// texture). Differs from the paper: rays are thinned by it, one by one, so that masks stay masks.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "lkao/requirements.h"
+
+namespace lkao {
+
+// Asked of a ray that meets a cut-out triangle, whether it is blocked there: the point is (1 - u - v) a + u b + v c,
+// where a, b, c are the triangle's corners in the order of its indices. Look the texture up and compare alpha with the
+// cut-off. Called in the middle of queries, from all their threads at once, for a ray and triangle perhaps more than
+// once: it must answer the same every time. What it throws comes out of the query.
+using CutOutFilter = std::function<bool(std::uint32_t instance, std::uint32_t primitive, float u, float v)>;
+
+// Which triangles of a mesh have holes. Rays that meet one are tested one by one, in double precision, so that costs
+// some ten times the time of a whole triangle; others cost what they do without.
+struct CutOuts {
+  // By primitive, from 0 to 1; those below 1 have holes. Empty: all have holes where there is a filter, none otherwise.
+  std::vector<float> opacities = {};
+  // Decides about triangles with holes. Empty: a ray is blocked with the opacity's probability. That is drawn from the
+  // query's seed, the receiver's index, the ray's number, instance and primitive alone: the same on every kernel and
+  // number of threads, and different for each pixel. The mean over many rays is that of half-transparent triangles.
+  CutOutFilter blocks = {};
+};
+
+}  // namespace lkao
