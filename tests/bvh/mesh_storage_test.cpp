@@ -21,7 +21,7 @@ namespace {
 using tests::LaidOut;
 using tests::Mesh;
 
-constexpr BuildOptions kRefer{.mesh_storage = MeshStorage::refer};
+const BuildOptions kRefer{.mesh_storage = MeshStorage::refer};
 
 // Receivers on corners and on edges, where many rays are in doubt, and others.
 std::vector<std::uint64_t> bits_near(const Mesh& mesh, const OccluderBvh& occluders, Kernel kernel) {
