@@ -123,7 +123,7 @@ TEST_P(DataRace, RefitsWhileOthersQuery) {
   for (std::size_t i = 0; i < moved.size(); i += 7) moved[i].x = std::numeric_limits<float>::quiet_NaN();
   std::optional<OccluderBvh> there, back;
   ASSERT_TRUE(run_and_join_workers([&] {
-    there.emplace(ao_->occluders().refitted(moved));
+    there.emplace(ao_->occluders().mesh(0).refitted(moved));
     back.emplace(there->refitted(positions_));
   }));
   other.join();
