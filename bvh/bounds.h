@@ -21,6 +21,12 @@ inline Bounds merge(const Bounds& a, const Bounds& b) {
   return {glm::min(a.lower, b.lower), glm::max(a.upper, b.upper)};
 }
 
+// Half of its surface. Of boxes that hold something.
+inline double half_area(const Bounds& box) {
+  const glm::dvec3 size = glm::dvec3(box.upper) - glm::dvec3(box.lower);
+  return size.x * size.y + size.y * size.z + size.z * size.x;
+}
+
 inline Bounds bounds_of(const Corners& corners) {
   const auto& [a, b, c] = corners;
   return {glm::min(a, glm::min(b, c)), glm::max(a, glm::max(b, c))};

@@ -1,14 +1,10 @@
 #include "bvh/entry_nodes.h"
 
+#include "bvh/bounds.h"
 #include "bvh/ray_box.h"
 
 namespace lkao::bvh {
 namespace {
-
-float half_area(const Bounds& box) {
-  const glm::vec3 size = box.upper - box.lower;
-  return size.x * size.y + size.y * size.z + size.z * size.x;
-}
 
 // The children of the entry nodes, as they are found.
 class Entries {
@@ -47,10 +43,10 @@ class Entries {
   // Replaces the largest child that leaves room for its children by them. False where there is none.
   bool open_one() {
     int largest = -1;
-    float largest_area = -1;
+    double largest_area = -1;
     for (int i = 0; i < count_; ++i) {
       if (count_ - 1 + reached_counts_[i] > most_) continue;
-      const float area = half_area(boxes_[i]);
+      const double area = half_area(boxes_[i]);
       if (area > largest_area) {
         largest = i;
         largest_area = area;

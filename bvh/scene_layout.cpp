@@ -4,24 +4,12 @@
 #include <cstddef>
 #include <span>
 
-#include <glm/common.hpp>
-
+#include "bvh/bounds.h"
 #include "bvh/build_tree.h"
 #include "bvh/split_builder.h"
 
 namespace lkao::bvh {
 namespace {
-
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
-constexpr Bounds kNowhere{glm::vec3(kInfinity), glm::vec3(-kInfinity)};
-
-bool is_empty(const Bounds& box) { return !(box.lower.x <= box.upper.x); }
-Bounds merge(const Bounds& a, const Bounds& b) { return {glm::min(a.lower, b.lower), glm::max(a.upper, b.upper)}; }
-
-double half_area(const Bounds& box) {
-  const glm::dvec3 size = glm::dvec3(box.upper) - glm::dvec3(box.lower);
-  return size.x * size.y + size.y * size.z + size.z * size.x;
-}
 
 Bounds bounds_of(const Node& node) {
   Bounds bounds = kNowhere;
@@ -106,7 +94,7 @@ void build_nodes(SceneLayout& scene) {
   pieces.reserve(builder.capacity_for(scene.placements.size()));
   for (std::uint32_t i = 0; i < scene.placements.size(); ++i) {
     const Bounds& box = scene.placements[i].box;
-    if (is_empty(box)) continue;
+    if (is_nowhere(box)) continue;
     pieces.emplace_back(Box{{box.lower.x, box.lower.y, box.lower.z, 0}, {box.upper.x, box.upper.y, box.upper.z, 0}}, i);
   }
   if (pieces.empty()) return;
