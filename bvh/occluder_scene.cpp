@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
+#include "bvh/bounds.h"
 #include "bvh/scene_layout.h"
 #include "lut/coordinates.h"
 
@@ -40,7 +41,7 @@ Placement make_checked(const SceneLayout& scene, std::uint32_t mesh, const glm::
   if (!is_finite(to_world)) refuse("must be finite");
   const Placement placement = bvh::make_placement(scene.meshes[mesh].layout(), mesh, to_world, groups);
   if (!is_finite(placement.to_mesh)) refuse("must be invertible");
-  const bool is_empty = scene.meshes[mesh].layout().nodes.empty();
+  const bool is_empty = bvh::is_nowhere(scene.meshes[mesh].bounds());
   if (!is_empty && !placement.is_identity() &&
       !lut::is_in_range(placement.box.lower, placement.box.upper, glm::vec3(0))) {
     refuse("must not lead beyond 1e18");
@@ -190,6 +191,7 @@ void OccluderScene::set_groups(std::uint32_t instance, std::uint32_t groups) {
 void OccluderScene::set_mesh(std::uint32_t mesh, OccluderBvh occluders) {
   check_number(mesh, mesh_count(), "mesh");
   auto changed = std::make_shared<SceneLayout>(*layout_);
+  const bool was_empty = bvh::is_nowhere(changed->meshes[mesh].bounds());
   changed->meshes[mesh] = std::move(occluders);
   check_origins(changed->meshes);
   std::vector<Placement>& placements = changed->placements;
@@ -197,7 +199,11 @@ void OccluderScene::set_mesh(std::uint32_t mesh, OccluderBvh occluders) {
     if (placements[i].mesh != mesh) return;
     placements[i] = make_checked(*changed, mesh, placements[i].to_world, placements[i].groups, "instances", i);
   });
-  bvh::update_nodes(*changed);
+  if (was_empty) {
+    bvh::build_nodes(*changed);  // the nodes have no place for its instances
+  } else {
+    bvh::update_nodes(*changed);
+  }
   layout_ = std::move(changed);
 }
 

@@ -7,6 +7,8 @@
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 
+#include "bvh/bounds.h"
+
 namespace lkao::bvh {
 namespace {
 
@@ -23,6 +25,7 @@ double frobenius(const glm::dmat3& m) {
 Bounds place_children(const glm::mat4x3& to_world, const Node& root) {
   Bounds box{glm::vec3(kInfinity), glm::vec3(-kInfinity)};
   for (int i = 0; i < kWidth && !root.children[i].is_empty(); ++i) {
+    if (root.is_unreachable(i)) continue;
     const Bounds child = place(to_world, root.child_bounds(i));
     box = {glm::min(box.lower, child.lower), glm::max(box.upper, child.upper)};
   }
@@ -79,7 +82,7 @@ Placement make_placement(const Layout& mesh, std::uint32_t mesh_number, const gl
   placement.to_world = to_world;
   placement.to_mesh = glm::dmat4x3(inverse[0], inverse[1], inverse[2], -(inverse * glm::dvec3(to_world[3])));
   placement.box = place_children(to_world, mesh.root());
-  if (!mesh.nodes.empty()) placement.displacement = displacement_of(placement, mesh.bounds);
+  if (!is_nowhere(mesh.bounds)) placement.displacement = displacement_of(placement, mesh.bounds);
   const double stretch = frobenius(linear), shrink = frobenius(inverse);
   placement.shrink = std::nextafter(static_cast<float>(1 / stretch), 0.0f);
   placement.mesh = mesh_number;

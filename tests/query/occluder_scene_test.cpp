@@ -145,6 +145,33 @@ TEST(OccluderScene, TakesAnotherMesh) {
   balls.expect_right(scene, cube);
 }
 
+TEST(OccluderScene, FollowsAMeshThatIsRefitted) {
+  constexpr RefitOptions kNeverAnew{.max_growth = std::numeric_limits<double>::infinity()};
+  const Balls balls;
+  OccluderScene scene = balls.scene();
+  const glm::vec3 nowhere(std::numeric_limits<float>::quiet_NaN());
+  Mesh moved = balls.ball;
+  for (glm::vec3& p : moved.positions) p *= 1.0f + 0.3f * p.x;
+  moved.positions[3] = nowhere;  // its triangles rest
+  scene.set_mesh(0, scene.mesh(0).refitted(moved.positions, kNeverAnew));
+  balls.expect_right(scene, moved);
+  // All of them, and they come back.
+  const std::vector<glm::vec3> nothing(moved.positions.size(), nowhere);
+  scene.set_mesh(0, scene.mesh(0).refitted(nothing, kNeverAnew));
+  EXPECT_EQ(scene.occluder_count(), 0u);
+  EXPECT_GT(scene.bounds().lower.x, scene.bounds().upper.x);
+  scene.set_mesh(0, scene.mesh(0).refitted(balls.ball.positions, kNeverAnew));
+  balls.expect_right(scene, balls.ball);
+}
+
+TEST(OccluderScene, TakesAMeshInThePlaceOfAnEmptyOne) {
+  Balls balls;
+  for (std::size_t i = 0; i < balls.instances.size(); i += 3) balls.instances[i].mesh = 1;
+  OccluderScene scene({OccluderBvh(balls.ball.view()), OccluderBvh({})}, balls.instances);
+  scene.set_mesh(1, scene.mesh(0));
+  balls.expect_right(scene, balls.ball);
+}
+
 TEST(OccluderScene, RefusesWhatItCannotUseAndStaysAsItWas) {
   const Balls balls;
   OccluderScene scene = balls.scene();
