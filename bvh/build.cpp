@@ -67,7 +67,8 @@ std::shared_ptr<Layout> build(const TriangleMesh& mesh, const BuildOptions& opti
   }
   report.node_count = layout->nodes.size();
   report.memory_bytes = memory_bytes(*layout);
-  report.surface_area_cost = layout->built_cost = surface_area_cost(*layout);
+  layout->built = surface_areas(*layout);
+  report.surface_area_cost = surface_area_cost(layout->built);
   report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return layout;
 }

@@ -12,6 +12,7 @@
 
 #include "bvh/huge_pages.h"
 #include "bvh/packed_mesh.h"
+#include "bvh/usable_triangle.h"
 #include "lkao/occluder_bvh.h"
 
 namespace lkao::bvh {
@@ -112,6 +113,14 @@ struct RestingTriangle {
   friend auto operator<=>(const RestingTriangle&, const RestingTriangle&) = default;
 };
 
+// Half the surface of boxes, summed up by what they hold.
+struct SurfaceAreas {
+  double root = 0;       // all
+  double nodes = 0;      // a node below the root
+  double leaves = 0;     // a leaf
+  double triangles = 0;  // a triangle of a leaf, by itself and whole
+};
+
 struct Layout {
   std::vector<Node, HugePageAllocator<Node>> nodes;  // the root first
   std::vector<Leaf, HugePageAllocator<Leaf>> leaves;
@@ -121,7 +130,7 @@ struct Layout {
 
   // For refits.
   BuildOptions options;
-  double built_cost = 0;                 // surface_area_cost() at the build
+  SurfaceAreas built;                    // at the build
   std::vector<std::uint32_t> dropped;    // primitives in no leaf, in order
   std::vector<RestingTriangle> resting;  // in order
 

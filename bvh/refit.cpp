@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
+#include <numeric>
 #include <stdexcept>
 #include <vector>
 
@@ -126,24 +127,31 @@ class Refitter {
   tbb::enumerable_thread_specific<std::vector<RestingTriangle>> resting_;
 };
 
-// Of the triangles that are dropped or rest, each once.
-void count_unusable(Layout& layout) {
-  std::vector<std::uint32_t> primitives = layout.dropped;
+// Each triangle once that may be of no use: those that are dropped or rest, or all of them.
+std::vector<std::uint32_t> doubtful_triangles(const Layout& layout) {
+  std::vector<std::uint32_t> primitives;
+  if (layout.options.keep_zero_area) {
+    primitives.resize(layout.report.triangle_count);
+    std::iota(primitives.begin(), primitives.end(), 0u);
+    return primitives;
+  }
+  primitives = layout.dropped;
   primitives.reserve(primitives.size() + layout.resting.size());
   for (const RestingTriangle& resting : layout.resting) primitives.push_back(resting.primitive);
   std::sort(primitives.begin(), primitives.end());
   primitives.erase(std::unique(primitives.begin(), primitives.end()), primitives.end());
+  return primitives;
+}
+
+void count_unusable(Layout& layout) {
   BuildReport& report = layout.report;
   report.zero_area_count = report.non_finite_count = 0;
-  for (const std::uint32_t primitive : primitives) {
-    ++(defect_of(layout.mesh.corners(primitive)) == Defect::zero_area ? report.zero_area_count
-                                                                      : report.non_finite_count);
+  for (const std::uint32_t primitive : doubtful_triangles(layout)) {
+    const Defect defect = defect_of(layout.mesh.corners(primitive));
+    if (defect == Defect::zero_area) ++report.zero_area_count;
+    if (defect == Defect::non_finite) ++report.non_finite_count;
   }
-  report.occluder_count = report.triangle_count - primitives.size();
-  if (!layout.options.keep_zero_area) return;
-  for (std::uint32_t i = 0; i < report.triangle_count; ++i) {
-    if (defect_of(layout.mesh.corners(i)) == Defect::zero_area) ++report.zero_area_count, --report.occluder_count;
-  }
+  report.occluder_count = report.triangle_count - report.zero_area_count - report.non_finite_count;
 }
 
 // Null where a triangle that no leaf has is of use now.
@@ -156,7 +164,7 @@ std::shared_ptr<Layout> refit_topology(const Layout& old, const PositionView& po
   if (std::any_of(old.dropped.begin(), old.dropped.end(), is_of_use)) return nullptr;
   layout->bounds = kNowhere;
   layout->options = old.options;
-  layout->built_cost = old.built_cost;
+  layout->built = old.built;
   layout->dropped = old.dropped;
   layout->report = old.report;
   layout->nodes.resize(old.nodes.size());
@@ -171,8 +179,9 @@ std::shared_ptr<Layout> refit_topology(const Layout& old, const PositionView& po
   BuildReport& report = layout->report;
   report.reference_count = old.report.reference_count + old.resting.size() - layout->resting.size();
   report.memory_bytes = memory_bytes(*layout);
-  report.surface_area_cost = surface_area_cost(*layout);
-  report.growth = layout->built_cost > 0 ? report.surface_area_cost / layout->built_cost : 1;
+  const SurfaceAreas areas = surface_areas(*layout);
+  report.surface_area_cost = surface_area_cost(areas);
+  report.growth = growth(areas, layout->built);
   return layout;
 }
 
@@ -201,7 +210,7 @@ namespace lkao {
 
 OccluderBvh OccluderBvh::refitted(const PositionView& positions, const RefitOptions& options,
                                   const Progress& progress) const {
-  return {Finished(), bvh::refit(*layout_, positions, options, progress)};
+  return OccluderBvh(Finished(), bvh::refit(*layout_, positions, options, progress));
 }
 
 }  // namespace lkao

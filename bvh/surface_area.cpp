@@ -1,44 +1,68 @@
 #include "bvh/surface_area.h"
 
+#include <algorithm>
 #include <cstddef>
-#include <functional>
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_reduce.h>
-#include <glm/vec3.hpp>
 
 #include "bvh/bounds.h"
 
 namespace lkao::bvh {
 namespace {
 
-double half_surface(const Bounds& box) {
-  const glm::dvec3 size = glm::dvec3(box.upper) - glm::dvec3(box.lower);
-  return size.x * size.y + size.y * size.z + size.z * size.x;
+SurfaceAreas sum(SurfaceAreas a, const SurfaceAreas& b) {
+  a.root += b.root;
+  a.nodes += b.nodes;
+  a.leaves += b.leaves;
+  a.triangles += b.triangles;
+  return a;
 }
 
-// Of the children that rays may meet.
-double area_of_children(const Node& node) {
-  double sum = 0;
+void add_children(const Node& node, const Layout& layout, SurfaceAreas& areas) {
   for (int i = 0; i < kWidth && !node.children[i].is_empty(); ++i) {
-    if (!node.is_unreachable(i)) sum += half_surface(node.child_bounds(i));
+    if (node.is_unreachable(i)) continue;
+    const double area = half_area(node.child_bounds(i));
+    if (!node.children[i].is_leaf()) {
+      areas.nodes += area;
+      continue;
+    }
+    areas.leaves += area;
+    const Leaf& leaf = layout.leaves[node.children[i].index()];
+    for (int triangle = 0; triangle < leaf.triangle_count(); ++triangle) {
+      areas.triangles += half_area(bounds_of(layout.mesh.corners(leaf.primitives[triangle])));
+    }
   }
-  return sum;
 }
 
 }  // namespace
 
-double surface_area_cost(const Layout& layout) {
-  if (is_nowhere(layout.bounds)) return 0;
+SurfaceAreas surface_areas(const Layout& layout) {
+  if (is_nowhere(layout.bounds)) return {};
   using Range = tbb::blocked_range<std::size_t>;
-  const double sum = tbb::parallel_deterministic_reduce(
-      Range(0, layout.nodes.size(), 1024), 0.0,
-      [&](const Range& range, double part) {
-        for (std::size_t i = range.begin(); i < range.end(); ++i) part += area_of_children(layout.nodes[i]);
+  SurfaceAreas areas = tbb::parallel_deterministic_reduce(
+      Range(0, layout.nodes.size(), 256), SurfaceAreas(),
+      [&](const Range& range, SurfaceAreas part) {
+        for (std::size_t i = range.begin(); i < range.end(); ++i) add_children(layout.nodes[i], layout, part);
         return part;
       },
-      std::plus<>());
-  return 1 + sum / half_surface(layout.bounds);
+      sum);
+  areas.root = half_area(layout.bounds);
+  return areas;
+}
+
+double surface_area_cost(const SurfaceAreas& areas) {
+  return areas.root > 0 ? 1 + (areas.nodes + areas.leaves) / areas.root : 0;
+}
+
+// What a hierarchy built anew would have is not known. Leaves grow with their triangles. Nodes grow with the scene
+// where all of it does; where triangles alone do, by shaking, or the bounds alone, by a part that flies away, they
+// stay.
+double growth(const SurfaceAreas& now, const SurfaceAreas& built) {
+  if (!(now.root > 0 && built.root > 0)) return 1;
+  const double of_triangles = now.triangles / built.triangles;
+  const double of_nodes = std::min(of_triangles, now.root / built.root);
+  return (now.nodes + now.leaves) / (of_nodes * built.nodes + of_triangles * built.leaves);
 }
 
 }  // namespace lkao::bvh

@@ -64,8 +64,7 @@ struct BuildOptions {
 };
 
 struct RefitOptions {
-  // A hierarchy whose growth (BuildReport) would be more is built anew instead. At least 1, or infinity: then only
-  // what OccluderBvh::refitted says is.
+  // A hierarchy whose growth (BuildReport) would be more is built anew instead. At least 1; infinity: whatever it is.
   double max_growth = 2;
 };
 
@@ -82,9 +81,9 @@ struct BuildReport {
   // Nodes and leaves that a long ray through the bounds is expected to visit, by the surface area heuristic. 0 where
   // there is no occluder.
   double surface_area_cost = 0;
-  // That cost over what it was at the build: 1 after a build, usually more after a refit. What a refit has made of the
-  // hierarchy is seldom worse than this says; where triangles have become larger it is better, since then a hierarchy
-  // built anew costs more than the old one, too.
+  // How much more the boxes have grown since the build than they had to, by what the triangles' own boxes have: 1 after
+  // a build, usually more after a refit. An estimate of surface_area_cost over that of a hierarchy built anew; how much
+  // slower queries get: bvh/README.md.
   double growth = 1;
 };
 
@@ -106,11 +105,13 @@ class LKAO_API OccluderBvh {
 
   // The same triangles where their corners have moved to: a hierarchy of its own, with the nodes and leaves of this one
   // and new boxes. Queries answer as in one built from the new positions, bit for bit; they get slower the more the
-  // motion tears apart what was together (BuildReport::growth). Takes a fifth of the time of a build without spatial
-  // splits (bench/results/refit.csv), as long as a build instead where growth would be more than options.max_growth,
-  // or where a triangle that the build had dropped has become usable: it is built anew then, with the same options.
-  // Triangles that have become unusable are counted as if a build had dropped them, and come back with a later refit
-  // of the result.
+  // motion tears apart what was together (BuildReport::growth). Takes a quarter of the time of a build without spatial
+  // splits (bench/results/refit.csv).
+  //
+  // It is built anew instead, with the same options, where growth would be more than options.max_growth, and where a
+  // triangle that the build had dropped has become usable: so refit what the last refit returned rather than the first
+  // build. Triangles that have become unusable are counted as if a build had dropped them, and come back with a later
+  // refit of the result.
   //
   // As many positions as at the build, in any layout and with any origin; with MeshStorage::refer the result refers to
   // them, and to the triangles of the build. This hierarchy stays as it is and may be in use meanwhile, unless it
