@@ -83,6 +83,13 @@ TEST_F(BuildCommand, MethodsAreMeasuredAlone) {
   EXPECT_NEAR(rows[1].triangle_count, 20'000, 240);
 }
 
+TEST_F(BuildCommand, HierarchiesThatReferHaveNoCopyOfTheMesh) {
+  const std::vector<Row> rows = measure({"--scenes", "wall", "--methods", "lkao,lkao_refer", "--threads", "1"});
+  ASSERT_EQ(rows.size(), 2u);
+  EXPECT_EQ(rows[1].mesh_bytes_per_triangle, 0);
+  EXPECT_NEAR(rows[1].bytes_per_triangle, rows[0].bytes_per_triangle - rows[0].mesh_bytes_per_triangle, 0.1);
+}
+
 // The limit that the project sets itself, where spatial splits add most.
 TEST_F(BuildCommand, MemoryIsAtMostTwiceEmbrees) {
   const std::vector<Row> rows = measure({"--hairball", "20000", "--threads", "2"});
