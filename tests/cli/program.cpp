@@ -1,5 +1,9 @@
 #include "cli/program.h"
 
+#ifdef LKAO_RUN_IN_PROCESS
+#include "cli/in_process.h"
+#endif
+
 #include <fcntl.h>
 #include <spawn.h>
 #include <sys/wait.h>
@@ -81,7 +85,11 @@ ProgramResult run_program(const Arguments& arguments) {
   const fs::path out = folder / "out";
   const fs::path err = folder / "err";
   ProgramResult result;
+#ifdef LKAO_RUN_IN_PROCESS
+  result.exit_code = run_in_process(arguments, out, err);
+#else
   result.exit_code = wait_for(start(arguments, out, err));
+#endif
   result.out = contents_of(out);
   result.err = contents_of(err);
   fs::remove_all(folder);

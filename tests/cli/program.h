@@ -20,10 +20,11 @@ struct ProgramResult {
 
 using Arguments = std::vector<std::string>;
 
-// Runs the program to its end.
+// Runs the program to its end: as a process of its own, or, with LKAO_RUN_IN_PROCESS (tests/cli/CMakeLists.txt), what
+// it does in this process.
 ProgramResult run_program(const Arguments& arguments);
 
-// A run that a test can interrupt. Its output goes nowhere.
+// A process of its own, always, that a test can interrupt. Its output goes nowhere.
 class RunningProgram {
  public:
   explicit RunningProgram(const Arguments& arguments);

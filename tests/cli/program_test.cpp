@@ -31,6 +31,15 @@ class Program : public ProgramTest {
   }
 };
 
+// Whatever the other tests run.
+TEST_F(Program, IsAProcessOfItsOwn) {
+  EXPECT_EQ(
+      RunningProgram({"render", "builtin:wall", "--size", "32x24", "--radius", "1", "-o", path("out.exr")}).wait(), 0);
+  EXPECT_EQ(files(), std::vector<std::string>{"out.exr"});
+  EXPECT_EQ(RunningProgram({"compare", path("out.exr"), path("out.exr")}).wait(), 0);
+  EXPECT_EQ(RunningProgram({"info", path("nowhere.ply")}).wait(), 2);
+}
+
 TEST_F(Program, HelpNamesTheSubcommands) {
   const std::string help = expect_success({"--help"}).out;
   for (const char* name : {"render", "bake", "compare", "info", "simplify"})
