@@ -10,12 +10,13 @@
 #include "gpu/cpu_rays.h"
 #include "gpu/on_software.h"
 #include "gpu/pass_scene.h"
+#include "support/sanitized.h"
 
 namespace lkao::gl::tests {
 namespace {
 
-constexpr int kWidth = 64;
-constexpr int kHeight = 48;
+constexpr int kWidth = lkao::tests::unless_sanitized(48, 32);
+constexpr int kHeight = lkao::tests::unless_sanitized(36, 24);
 constexpr float kAspect = static_cast<float>(kWidth) / kHeight;
 
 struct NamedCamera {

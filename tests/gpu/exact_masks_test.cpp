@@ -13,8 +13,8 @@
 namespace lkao::gl::tests {
 namespace {
 
-constexpr int kWidth = lkao::tests::kIsSanitized ? 96 : 192;
-constexpr int kHeight = lkao::tests::kIsSanitized ? 72 : 144;
+constexpr int kWidth = lkao::tests::unless_sanitized(192, 96);
+constexpr int kHeight = lkao::tests::unless_sanitized(144, 72);
 constexpr double kLargestShare = 1e-4;
 
 class ExactMasks : public InFurnishedRoom<kWidth, kHeight> {
@@ -101,7 +101,7 @@ TEST_F(ExactMasks, OfUniformDirectionsAreTheCpusToo) {
 }
 
 TEST_F(ExactMasks, HaveFrom1To1024Rays) {
-  const int width = 64, height = 48;
+  const int width = lkao::tests::unless_sanitized(64, 32), height = lkao::tests::unless_sanitized(48, 24);
   const GBufferPass g_buffer(mesh_, camera_, width, height);
   for (const int ray_count : {1, 16, 64, 100, 129, 192, 511, 1024}) {
     SCOPED_TRACE(ray_count);

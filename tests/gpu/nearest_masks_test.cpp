@@ -14,12 +14,13 @@
 #include "bvh/triangle_culls.h"
 #include "gpu/cpu_rays.h"
 #include "gpu/in_furnished_room.h"
+#include "support/sanitized.h"
 
 namespace lkao::gl::tests {
 namespace {
 
-constexpr int kWidth = 96;
-constexpr int kHeight = 72;
+constexpr int kWidth = lkao::tests::unless_sanitized(96, 48);
+constexpr int kHeight = lkao::tests::unless_sanitized(72, 36);
 
 double distance_to_segment(const glm::dvec3& a, const glm::dvec3& b) {
   const glm::dvec3 along = b - a;

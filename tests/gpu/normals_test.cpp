@@ -12,12 +12,13 @@
 #include <glm/geometric.hpp>
 
 #include "gpu/in_furnished_room.h"
+#include "support/sanitized.h"
 
 namespace lkao::gl::tests {
 namespace {
 
-constexpr int kWidth = 128;
-constexpr int kHeight = 96;
+constexpr int kWidth = lkao::tests::unless_sanitized(128, 64);
+constexpr int kHeight = lkao::tests::unless_sanitized(96, 48);
 
 struct Format {
   const char* name;

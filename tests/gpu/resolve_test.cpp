@@ -11,12 +11,13 @@
 #include <glm/geometric.hpp>
 
 #include "gpu/in_furnished_room.h"
+#include "support/sanitized.h"
 
 namespace lkao::gl::tests {
 namespace {
 
-constexpr int kWidth = 96;
-constexpr int kHeight = 72;
+constexpr int kWidth = lkao::tests::unless_sanitized(96, 48);
+constexpr int kHeight = lkao::tests::unless_sanitized(72, 36);
 
 class Resolve : public InFurnishedRoom<kWidth, kHeight> {
  protected:

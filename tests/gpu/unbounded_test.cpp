@@ -12,11 +12,13 @@
 #include "gpu/in_furnished_room.h"
 #include "gpu/rounding.h"
 #include "lkao/lkao.h"
+#include "support/sanitized.h"
 
 namespace lkao::gl::tests {
 namespace {
 
-constexpr int kWidth = 64, kHeight = 48;
+constexpr int kWidth = lkao::tests::unless_sanitized(64, 32);
+constexpr int kHeight = lkao::tests::unless_sanitized(48, 24);
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 class UnboundedPass : public InFurnishedRoom<kWidth, kHeight> {

@@ -9,6 +9,7 @@
 
 #include "aimed_patterns.h"
 #include "needles.h"
+#include "ray_counts.h"
 #include "same_bits.h"
 
 namespace lkao::tests {
@@ -32,7 +33,7 @@ class BoxCulls : public testing::TestWithParam<int> {
   lut::RandomStream random_{1};
 };
 
-INSTANTIATE_TEST_SUITE_P(Rays, BoxCulls, testing::Values(64, 128, 192, 256, 1024), testing::PrintToStringParamName());
+INSTANTIATE_TEST_SUITE_P(Rays, BoxCulls, ray_counts({64, 128, 192, 256, 1024}), testing::PrintToStringParamName());
 
 // As far away as a ray goes, and a little nearer.
 TEST_P(BoxCulls, KeepNeedlesAtTheEndsOfRays) {

@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "needles.h"
+#include "ray_counts.h"
 #include "same_bits.h"
 
 namespace lkao::tests {
@@ -41,7 +42,7 @@ class Crowds : public testing::TestWithParam<int> {
   lut::RandomStream random_{51};
 };
 
-INSTANTIATE_TEST_SUITE_P(Rays, Crowds, testing::Values(64, 256, 1024), testing::PrintToStringParamName());
+INSTANTIATE_TEST_SUITE_P(Rays, Crowds, ray_counts({64, 256, 1024}), testing::PrintToStringParamName());
 
 // More pairs of a ray and a box than anyone has room for at a time.
 TEST_P(Crowds, OfWiresAreAnsweredForEveryRay) {

@@ -9,6 +9,7 @@
 
 #include "aimed_patterns.h"
 #include "needles.h"
+#include "ray_counts.h"
 #include "same_bits.h"
 
 namespace lkao::tests {
@@ -47,7 +48,7 @@ class FarAway : public testing::TestWithParam<int> {
   lut::RandomStream random_{41};
 };
 
-INSTANTIATE_TEST_SUITE_P(Rays, FarAway, testing::Values(64, 128, 256, 1024), testing::PrintToStringParamName());
+INSTANTIATE_TEST_SUITE_P(Rays, FarAway, ray_counts({64, 128, 256, 1024}), testing::PrintToStringParamName());
 
 // With all rays on the scene.
 TEST_P(FarAway, ReceiversSeeTheSceneThroughABeam) {

@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "needles.h"
+#include "ray_counts.h"
 #include "same_bits.h"
 
 namespace lkao::tests {
@@ -45,7 +46,7 @@ class Needles : public testing::TestWithParam<int> {
   lut::RandomStream random_{21};
 };
 
-INSTANTIATE_TEST_SUITE_P(Rays, Needles, testing::Values(64, 128, 192, 256, 960), testing::PrintToStringParamName());
+INSTANTIATE_TEST_SUITE_P(Rays, Needles, ray_counts({64, 128, 192, 256, 960}), testing::PrintToStringParamName());
 
 TEST_P(Needles, OnEveryRayAreFound) {
   for (const Shares& shares : {Shares{1e-3f, 1}, {0.9f, 1}, {0.05f, 0.06f}}) {

@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "needles.h"
+#include "ray_counts.h"
 #include "same_bits.h"
 
 namespace lkao::tests {
@@ -64,7 +65,7 @@ class Neighbours : public testing::TestWithParam<int> {
   lut::RandomStream random_{71};
 };
 
-INSTANTIATE_TEST_SUITE_P(Rays, Neighbours, testing::Values(64, 192, 256, 1024), testing::PrintToStringParamName());
+INSTANTIATE_TEST_SUITE_P(Rays, Neighbours, ray_counts({64, 192, 256, 1024}), testing::PrintToStringParamName());
 
 TEST_P(Neighbours, InOtherRoomsChangeNothing) {
   const OccluderBvh occluders(rooms(2, 72).view());

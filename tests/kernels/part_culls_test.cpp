@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "needles.h"
+#include "ray_counts.h"
 #include "same_bits.h"
 
 namespace lkao::tests {
@@ -31,7 +32,7 @@ class PartCulls : public testing::TestWithParam<int> {
   lut::RandomStream random_{11};
 };
 
-INSTANTIATE_TEST_SUITE_P(Rays, PartCulls, testing::Values(64, 192, 256, 1024), testing::PrintToStringParamName());
+INSTANTIATE_TEST_SUITE_P(Rays, PartCulls, ray_counts({64, 192, 256, 1024}), testing::PrintToStringParamName());
 
 TEST_P(PartCulls, KeepNeedlesWhereTheyBegin) {
   for (const float radius : {1.0f, 3e4f}) {

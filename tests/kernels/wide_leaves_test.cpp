@@ -9,6 +9,7 @@
 
 #include "aimed_patterns.h"
 #include "needles.h"
+#include "ray_counts.h"
 #include "same_bits.h"
 
 namespace lkao::tests {
@@ -49,7 +50,7 @@ class WideLeaves : public testing::TestWithParam<int> {
   lut::RandomStream random_{61};
 };
 
-INSTANTIATE_TEST_SUITE_P(Rays, WideLeaves, testing::Values(64, 192, 256, 1024), testing::PrintToStringParamName());
+INSTANTIATE_TEST_SUITE_P(Rays, WideLeaves, ray_counts({64, 192, 256, 1024}), testing::PrintToStringParamName());
 
 // The edge passes two rays, from near to far; the triangle lies to one side of it.
 TEST_P(WideLeaves, KeepRaysAtEdges) {

@@ -14,6 +14,7 @@
 #include "lkao/sample_pattern.h"
 #include "lut/pattern_points.h"
 #include "lut/random.h"
+#include "support/sanitized.h"
 
 namespace lkao {
 namespace {
@@ -51,7 +52,7 @@ TEST(PatternKind, MakesDirectionsAboveTheHorizonByTheSeedAlone) {
 
 // Rounding must not put a point on the edge of the disk, where its direction would lie in the horizon.
 TEST(PatternKind, StaysInsideTheDiskForManySeeds) {
-  for (std::uint64_t seed = 0; seed < 100; ++seed) {
+  for (std::uint64_t seed = 0; seed < tests::unless_sanitized(100u, 10u); ++seed) {
     for (PatternKind kind : {PatternKind::sobol, PatternKind::random}) {
       EXPECT_NO_THROW(SamplePattern::make(kind, 1024, Falloff::constant(), seed));
     }

@@ -17,6 +17,7 @@
 #include "lut/plane_mask_fill.h"
 #include "lut/planes.h"
 #include "support/meshes.h"
+#include "support/sanitized.h"
 
 namespace lkao {
 namespace {
@@ -64,7 +65,7 @@ TEST(FillMustMay, BoundsTheWholeCone) {
   const lut::RayEnds rays = ray_ends_of(ends);
   constexpr double kPromised = 1e-5;
   lut::RandomStream random(126);
-  for (int i = 0; i < 500'000; ++i) {
+  for (int i = 0; i < tests::unless_sanitized(500'000, 20'000); ++i) {
     const glm::dvec3 end = ends[random.next_below(ends.size())];
     const double aside = 2 * std::pow(10, -5 * random.next_double()),
                  angle = 0.6 * std::pow(10, -3 * random.next_double());
@@ -102,7 +103,9 @@ class Table : public testing::TestWithParam<std::tuple<PlaneAddressing, int, con
 
 INSTANTIATE_TEST_SUITE_P(All, Table,
                          testing::Combine(testing::Values(PlaneAddressing::cube, PlaneAddressing::slices),
-                                          testing::Values(32, 64, 128), testing::Values("constant", "linear")));
+                                          testing::ValuesIn(tests::unless_sanitized<std::vector<int>>({32, 64, 128},
+                                                                                                      {32, 64})),
+                                          testing::Values("constant", "linear")));
 
 // Half of the planes pass through the end of a ray: those are the ones that a bound too tight by rounding gets wrong.
 // Of those, half are at nearly right angles to the ray.
@@ -145,7 +148,7 @@ TEST_P(Table, MustAndMayBoundMillionsOfPlanes) {
   const PlaneMaskTable table = this->table(PlaneMasks::must_may);
   const std::vector<glm::dvec3> ends = ends_of(pattern());
   lut::RandomStream random(122);
-  for (int i = 0; i < 100'000; ++i) {
+  for (int i = 0; i < tests::unless_sanitized(100'000, 5'000); ++i) {
     const Plane plane = random_plane(ends, random), edge = random_edge(ends, random);
     ASSERT_TRUE(is_bounded(table, table.cell(plane.normal, plane.distance), plane, ends, random)) << i;
     ASSERT_TRUE(is_bounded(table, table.edge_cell(edge.normal), edge, ends, random)) << i;
@@ -161,7 +164,7 @@ TEST_P(Table, MustAndMayAreTight) {
   const auto doubt = [](const PlaneMaskTable& t, std::uint32_t cell) {
     return std::popcount(t.may(cell)[0] & ~t.must(cell)[0]) + std::popcount(t.may(cell)[1] & ~t.must(cell)[1]);
   };
-  constexpr int kCount = 20'000;
+  constexpr int kCount = tests::unless_sanitized(20'000, 4'000);
   for (int i = 0; i < kCount; ++i) {
     const glm::vec3 normal = tests::random_direction(random);
     const float distance = tests::uniform(random, 0, 1);
@@ -177,7 +180,7 @@ TEST_P(Table, NearestIsTheMaskOfTheMiddlePlane) {
   const PlaneMaskTable table = this->table(PlaneMasks::nearest);
   const SamplePattern pattern = this->pattern();
   lut::RandomStream random(124);
-  for (int i = 0; i < 100'000; ++i) {
+  for (int i = 0; i < tests::unless_sanitized(100'000, 5'000); ++i) {
     const glm::vec3 normal = tests::random_direction(random);
     const std::uint32_t cell = i % 2 == 0 ? table.edge_cell(normal) : table.cell(normal, tests::uniform(random, 0, 1));
     const PlaneCell geometry = table.cells().geometry(cell);
@@ -198,7 +201,7 @@ TEST_P(Table, OppositeEdgesAreComplements) {
   const std::vector<glm::dvec3> ends = ends_of(pattern());
   lut::RandomStream random(125);
   int other_cell_count = 0;
-  constexpr int kCount = 200'000;
+  constexpr int kCount = tests::unless_sanitized(200'000, 20'000);
   for (int i = 0; i < kCount; ++i) {
     const glm::vec3 normal = tests::random_direction(random);
     const std::uint32_t cell = table.edge_cell(normal), opposite = table.edge_cell(-normal);

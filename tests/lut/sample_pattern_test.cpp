@@ -304,7 +304,7 @@ void expect_falling_errors(Weighting weighting) {
                                    std::pair(PatternKind::paper, 1.25), std::pair(PatternKind::sobol, 1.15),
                                    std::pair(PatternKind::random, 1.15)}) {
     double last = 1;
-    for (int count = 1; count <= (tests::kIsSanitized ? 20 : 130); ++count) {
+    for (int count = 1; count <= tests::unless_sanitized(130, 20); ++count) {
       double sum2 = 0;
       for (std::uint64_t seed = 0; seed < 3; ++seed) {
         const double error =

@@ -15,6 +15,7 @@
 #include "lkao/lkao.h"
 #include "support/meshes.h"
 #include "support/receivers.h"
+#include "support/sanitized.h"
 
 namespace lkao {
 namespace {
@@ -64,13 +65,14 @@ void expect_scalar_bits(const tests::Mesh& mesh, const std::vector<Receiver>& re
 }
 
 TEST_P(Isa, EqualsTheScalarKernelInSoups) {
+  constexpr int kReceiverCount = tests::unless_sanitized(12, 3);
   for (const auto& [count, size] :
        {std::pair(1, 2.0f), std::pair(20, 1.0f), std::pair(5000, 0.05f), std::pair(5000, 0.5f)}) {
     const tests::Mesh mesh = tests::random_soup(count, size, 101);
     for (int ray_count : {64, 192, 1024}) {
       for (float radius : {0.03f, 0.4f, 4.0f}) {
         for (Sidedness sidedness : {Sidedness::two_sided, Sidedness::one_sided}) {
-          expect_scalar_bits(mesh, tests::with_exclusions(tests::random_receivers(12, 1, 102), 5),
+          expect_scalar_bits(mesh, tests::with_exclusions(tests::random_receivers(kReceiverCount, 1, 102), 5),
                              {radius, sidedness, ray_count});
         }
       }
@@ -83,7 +85,8 @@ TEST_P(Isa, EqualsTheScalarKernelOnAGrid) {
   lut::RandomStream random(103);
   tests::Mesh mesh = tests::random_soup(3000, 0.4f, 104);
   for (glm::vec3& p : mesh.positions) p = glm::round(p * 8.0f) / 8.0f;
-  std::vector<Receiver> receivers = tests::with_exclusions(tests::random_receivers(300, 1, 105), 5);
+  std::vector<Receiver> receivers =
+      tests::with_exclusions(tests::random_receivers(tests::unless_sanitized(300, 60), 1, 105), 5);
   for (Receiver& receiver : receivers) {
     receiver.position = glm::round(receiver.position * 8.0f) / 8.0f;
     glm::vec3 axis(0);
@@ -104,7 +107,7 @@ TEST_P(Isa, EqualsTheScalarKernelAmongSlivers) {
     mesh.positions.insert(mesh.positions.end(), {start, end, end + tests::random_direction(random) * thickness});
     mesh.triangles.emplace_back(3 * i, 3 * i + 1, 3 * i + 2);
   }
-  expect_scalar_bits(mesh, tests::with_exclusions(tests::random_receivers(200, 1, 107), 5),
+  expect_scalar_bits(mesh, tests::with_exclusions(tests::random_receivers(tests::unless_sanitized(200, 40), 1, 107), 5),
                      {1.0f, Sidedness::two_sided, 256});
 }
 

@@ -13,6 +13,7 @@
 #include "support/kernel_choice.h"
 #include "support/meshes.h"
 #include "support/receivers.h"
+#include "support/sanitized.h"
 
 namespace lkao {
 namespace {
@@ -40,7 +41,7 @@ TEST_P(Levels, OfTheSameOccludersGiveTheBitsOfNone) {
     std::vector<OccluderLevel> levels;
     for (const Range& range : kRanges) levels.push_back({occluders, range.r_min, range.r_max});
     // None excludes a primitive: that is one of the first level only.
-    const std::vector<Receiver> receivers = tests::random_receivers(40, 1, 32);
+    const std::vector<Receiver> receivers = tests::random_receivers(tests::unless_sanitized(40, 5), 1, 32);
     for (const int ray_count : {64, 1024}) {
       for (const Falloff& falloff : {Falloff::constant(), Falloff::linear()}) {
         const SamplePattern pattern = SamplePattern::standard(ray_count).with_falloff(falloff);
@@ -88,7 +89,8 @@ TEST_P(Levels, AreTheBruteForceOverEachRange) {
     meshes.push_back(tests::random_soup(400 >> i, 0.1f * static_cast<float>(1 << i), 41 + i));
     levels.push_back({OccluderBvh(meshes.back().view()), kRanges[i].r_min, kRanges[i].r_max});
   }
-  const std::vector<Receiver> receivers = tests::with_exclusions(tests::random_receivers(50, 1, 42), 4);
+  const std::vector<Receiver> receivers =
+      tests::with_exclusions(tests::random_receivers(tests::unless_sanitized(50, 10), 1, 42), 4);
   for (const Sidedness sidedness : {Sidedness::two_sided, Sidedness::one_sided}) {
     for (const Falloff& falloff : {Falloff::constant(), Falloff::linear()}) {
       const SamplePattern pattern = SamplePattern::standard(256).with_falloff(falloff);
