@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
@@ -12,6 +13,7 @@
 #include "lod/triangle_pairs.h"
 #include "scene/builtin.h"
 #include "scene/defects.h"
+#include "support/sanitized.h"
 
 namespace lkao::lod {
 namespace {
@@ -44,7 +46,8 @@ void expect_good_chain(const scene::Mesh& mesh, const Simplified& result) {
     const scene::Defects defects = scene::find_defects(level.mesh);
     EXPECT_EQ(defects.zero_area_count + defects.non_finite_count + defects.unused_vertex_count, 0u);
     // Between samples, no more than the bound says.
-    const Sampling sampling{.spacing = report.spacing * 0.7, .most_per_triangle = 2000};
+    const Sampling sampling{.spacing = report.spacing * 0.7,
+                            .most_per_triangle = tests::unless_sanitized(2000.0, 20.0)};
     const Surface simplified(level.mesh);
     const Distance to_original = sum(triangle_distances(level.mesh, original, sampling));
     const Distance from_original = sum(triangle_distances(usable, simplified, sampling));
@@ -99,7 +102,7 @@ TEST(Simplify, ASlitStaysOpen) {
 
 // Winding tubes: triangles that cut across the windings have all their corners on the tube.
 TEST(Simplify, TrianglesDoNotCutAcrossTheAir) {
-  const scene::Mesh mesh = scene::make_hairball(10'000);
+  const scene::Mesh mesh = scene::make_hairball(tests::unless_sanitized(10'000, 2'000));
   const Simplified result = simplify(mesh, options(0.0167f, 3));
   expect_good_chain(mesh, result);
   EXPECT_LT(result.report.levels[1].triangle_count, mesh.triangles.size());
@@ -146,7 +149,7 @@ TEST(Simplify, AwkwardMeshesComeThrough) {
 
 TEST(Simplify, TheSameOnAnyNumberOfThreads) {
   scene::Mesh mesh = wavy_grid(40);
-  for (int i = 0; i < 30; ++i) scene::add_sphere(mesh, {i, 3, 0}, 0.1 + 0.01 * i, 20, 10);
+  for (int i = 0; i < tests::unless_sanitized(30, 6); ++i) scene::add_sphere(mesh, {i, 3, 0}, 0.1 + 0.01 * i, 20, 10);
   const Simplified parallel = simplify(mesh, options(0.003f));
   const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
   const Simplified serial = simplify(mesh, options(0.003f));
@@ -159,21 +162,21 @@ TEST(Simplify, TheSameOnAnyNumberOfThreads) {
 }
 
 // Large enough to be simplified in several regions at a time, over several rounds.
-scene::Mesh bumpy_ball() {
-  scene::Mesh mesh = ball(1, 240);
+scene::Mesh bumpy_ball(int segment_count) {
+  scene::Mesh mesh = ball(1, segment_count);
   for (glm::vec3& p : mesh.positions) p *= 1 + 0.02f * std::sin(9 * p.x) * std::sin(11 * p.y) * std::sin(10 * p.z);
   return mesh;
 }
 
 TEST(Simplify, OneLargePartIsTheSameOnAnyNumberOfThreads) {
-  const scene::Mesh mesh = bumpy_ball();
+  const scene::Mesh mesh = bumpy_ball(tests::unless_sanitized(240, 192));
   const auto simplify_on = [&](std::size_t thread_count) {
     const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, thread_count);
     return simplify(mesh, options(0.02f, 2));
   };
   const Simplified serial = simplify_on(1);
   EXPECT_EQ(serial.report.simplified_part_count, 1u);
-  for (const std::size_t thread_count : {2u, 5u}) {
+  for (const std::size_t thread_count : tests::unless_sanitized<std::vector<std::size_t>>({2, 5}, {5})) {
     const Simplified parallel = simplify_on(thread_count);
     for (std::size_t i = 0; i < parallel.chain.levels.size(); ++i) {
       EXPECT_EQ(parallel.chain.levels[i].mesh.positions, serial.chain.levels[i].mesh.positions) << thread_count;
@@ -184,7 +187,7 @@ TEST(Simplify, OneLargePartIsTheSameOnAnyNumberOfThreads) {
 
 // Every edge has a triangle on both sides, and the levels are still balls.
 TEST(Simplify, ALargeClosedMeshStaysClosedAcrossRegions) {
-  const scene::Mesh mesh = bumpy_ball();
+  const scene::Mesh mesh = bumpy_ball(240);
   const Simplified result = simplify(mesh, options(0.02f, 3));
   expect_good_chain(mesh, result);
   for (const Level& level : result.chain.levels) {
@@ -198,7 +201,7 @@ TEST(Simplify, ALargeClosedMeshStaysClosedAcrossRegions) {
 }
 
 TEST(Simplify, ProgressReachesTheEndAndNeverGoesBack) {
-  const scene::Mesh mesh = ball(1, 96);
+  const scene::Mesh mesh = ball(1, tests::unless_sanitized(96, 48));
   std::size_t last = 0, total = 0, calls = 0;
   simplify(mesh, options(0.01f), [&](std::size_t done, std::size_t all) {
     EXPECT_GT(done, last);

@@ -23,7 +23,9 @@ class SamplePatternOfCount : public testing::TestWithParam<int> {
   const SamplePattern& pattern() const { return SamplePattern::standard(GetParam()); }
 };
 
-INSTANTIATE_TEST_SUITE_P(Counts, SamplePatternOfCount, testing::Values(48, 64, 100, 128, 192, 200, 512, 1000, 1024));
+INSTANTIATE_TEST_SUITE_P(Counts, SamplePatternOfCount,
+                         testing::ValuesIn(tests::unless_sanitized<std::vector<int>>(
+                             {48, 64, 100, 128, 192, 200, 512, 1000, 1024}, {48, 64, 100, 192, 200})));
 
 TEST(SamplePattern, TakesCountsFrom1To1024) {
   for (int count : {-64, -1, 0, 1025, 1088, 1 << 30}) {
