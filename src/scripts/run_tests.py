@@ -8,7 +8,8 @@ are no GoogleTest are left to CTest.
 
 A program none of whose tests failed is not run again, but for the tests that were skipped, until it changes, or
 something that it reads (lkao_test's READS), or what it runs on: packages, shared scenes, variables of the environment.
---all runs it all the same.
+The same holds for a test that is no GoogleTest, but a program of the build and nothing else. --all runs them all the
+same.
 
 Writes "PASSED FAILED SKIPPED" as numbers into the file REPORT, then a line for each failed test, each skipped one, and
 one for the programs that were not run again. The exit status is 0 unless the tests could not be run.
@@ -44,6 +45,8 @@ class Test:
         self.timeout = properties.get("TIMEOUT", 1500)
         self.environment = properties.get("ENVIRONMENT", [])
         self.folder = properties.get("WORKING_DIRECTORY")
+        self.cost = properties.get("COST", 0)
+        self.needs_others = "FIXTURES_REQUIRED" in properties
         filters = [i for i, argument in enumerate(self.command) if argument.startswith(FILTER)]
         # What GoogleTest calls the test: CTest's name has the values of its parameters.
         self.filter = self.command[filters[0]][len(FILTER) :] if filters else None
@@ -65,6 +68,9 @@ class Results:
         self.skipped = []
         self.failed_programs = set()
         self.skipped_by = {}  # the names of a program's skipped tests
+
+    def is_good(self, name):
+        return f"FAILED  {name}" not in self.failed and not any(s.startswith(f"SKIPPED {name}:") for s in self.skipped)
 
     def add(self, program, passed=0, failed=(), skipped=()):
         with self.lock:
@@ -207,6 +213,12 @@ def batches_of(tests):
         yield tests[first : first + BATCH_SIZE]
 
 
+def is_lone_program(folder, test):
+    """Whether a test is a program of the build that CTest runs after no other test."""
+    start = os.path.abspath(folder) + os.sep
+    return bool(test.command) and test.command[0].startswith(start) and not test.needs_others
+
+
 def skips_of(program):
     """Under which name the stamps have the skipped tests of a program."""
     return program + " skips"
@@ -244,13 +256,22 @@ def main():
             unchanged.append(f"{os.path.basename(program)} ({passed_before})")
             results.add(program, passed=passed_before)
 
+    # Of those that are no GoogleTest, what is a program of the build and nothing else hangs on that program alone.
+    lone_keys = {}
+    for test in [t for t in others if is_lone_program(options.folder, t)]:
+        lone_keys[test.name] = program_key(test.command[0], [test.command, test.environment], around)
+        if not options.all and stamps.is_good(test.name, lone_keys[test.name]):
+            others.remove(test)
+            unchanged.append(f"{test.name} (1)")
+            results.add(None, passed=1)
+
     signal.signal(signal.SIGINT, stop)
     with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
         work = []
         if others:
             work.append(pool.submit(run_by_ctest, options.folder, others, results))
         # Those that take long first, so that in the end no processor waits.
-        for its_tests in sorted(filter(None, programs.values()), key=lambda of_one: "slow" not in of_one[0].labels):
+        for its_tests in sorted(filter(None, programs.values()), key=lambda of_one: -of_one[0].cost):
             work += [pool.submit(run_batch, batch, results) for batch in batches_of(its_tests)]
         for done in concurrent.futures.as_completed(work):
             done.result()
@@ -258,6 +279,8 @@ def main():
     for program in programs:
         stamps.set(skips_of(program), results.skipped_by.get(program, []))
         stamps.set(program, keys[program] if program not in results.failed_programs else None)
+    for name, key in lone_keys.items():
+        stamps.set(name, key if results.is_good(name) else None)
     with open(options.report, "w", encoding="utf-8") as report:
         print(results.passed, len(results.failed), len(results.skipped), file=report)
         for line in results.failed + results.skipped:

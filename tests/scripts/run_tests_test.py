@@ -111,6 +111,34 @@ class RunTests(unittest.TestCase):
         subprocess.run(command, check=True, stdout=subprocess.DEVNULL)
         self.assertEqual(self.read("report").splitlines(), ["1 1 0", "FAILED  B"])
 
+    def test_a_program_that_is_no_google_test_is_not_run_again_until_it_changes(self):
+        self.write("lone", f"#!/bin/sh\necho >> {self.path('runs')}\n")
+        os.chmod(self.path("lone"), 0o755)
+        self.write("CTestTestfile.cmake", f'add_test(A "{self.path("lone")}")\n')
+        self.assertEqual(self.run_ctest(), (["1 0 0"], 1))
+        note = f"UNCHANGED in {self.folder}, passed before, not run again: A (1)"
+        self.assertEqual(self.run_ctest(), (["1 0 0", note], 0))
+        self.assertEqual(self.run_ctest("--all"), (["1 0 0"], 1))
+        self.write("lone", self.read("lone") + "exit 1\n")
+        self.assertEqual(self.run_ctest(), (["0 1 0", "FAILED  A"], 1))
+        self.assertEqual(self.run_ctest(), (["0 1 0", "FAILED  A"], 1))
+
+    def run_ctest(self, *arguments):
+        self.write("runs", "")
+        command = [sys.executable, SCRIPT, self.folder, self.path("report"), *arguments]
+        subprocess.run(command, check=True, stdout=subprocess.DEVNULL)
+        return self.read("report").splitlines(), len(self.read("runs").splitlines())
+
+    def test_what_costs_most_comes_first(self):
+        for name in ("cheap", "costly"):
+            self.write(name, PROGRAM.format(python=sys.executable, folder=self.folder))
+            os.chmod(self.path(name), 0o755)
+        tests = [f'add_test(A.{name} "{self.path(name)}" "--gtest_filter=A.{name}")\n' for name in ("cheap", "costly")]
+        tests.append("set_tests_properties(A.costly PROPERTIES COST 9)\n")
+        self.write("CTestTestfile.cmake", "".join(tests))
+        self.run_ctest("--jobs", "1")
+        self.assertEqual(self.read("runs").split(), ["A.costly", "A.cheap"])
+
 
 if __name__ == "__main__":
     unittest.main()
