@@ -83,6 +83,14 @@ function(lkao_precompile TARGET)
   endif()
 endfunction()
 
+# lkao_precompile_as(TARGET OTHER)
+#   What was read for OTHER, which must be compiled with the same options and definitions.
+function(lkao_precompile_as TARGET OTHER)
+  if(LKAO_UNITY_BUILD)
+    target_precompile_headers(${TARGET} REUSE_FROM ${OTHER})
+  endif()
+endfunction()
+
 # lkao_module(NAME SOURCES a.cpp ... LINKS x ...)
 #   A static library lkao_NAME beside the core, for the program and the tests; not installed. LINKS are public.
 function(lkao_module NAME)
@@ -108,13 +116,14 @@ function(lkao_compile_only)
   endforeach()
 endfunction()
 
-# lkao_test(NAME SOURCES a.cpp ... LINKS x ... [LABELS slow|tsan ...] [READS path ...])
+# lkao_test(NAME SOURCES a.cpp ... LINKS x ... [LABELS slow|tsan ...] [READS path ...] [COST seconds])
 #   A GoogleTest program lkao_test_NAME, each of its tests known to CTest. Tests with the label "slow" are left out
 #   under AddressSanitizer; those with "tsan" are what ThreadSanitizer runs (target lkao_tsan_tests; see tests/tsan).
 #   READS: the programs that the tests start, the files and folders that they read: `./run test` repeats tests that
-#   passed when one of these changes. STARTS_PROGRAM: they start `lkao`.
+#   passed when one of these changes. STARTS_PROGRAM: they start `lkao`. COST: about how long they take, where that is
+#   long: these are run first.
 function(lkao_test NAME)
-  cmake_parse_arguments(PARSE_ARGV 1 test "STARTS_PROGRAM" "" "SOURCES;LINKS;LABELS;READS")
+  cmake_parse_arguments(PARSE_ARGV 1 test "STARTS_PROGRAM" "COST" "SOURCES;LINKS;LABELS;READS")
   add_executable(lkao_test_${NAME} ${test_SOURCES})
   target_include_directories(lkao_test_${NAME} PRIVATE ${lkao_include_roots} "${PROJECT_SOURCE_DIR}/tests")
   target_compile_definitions(lkao_test_${NAME} PRIVATE "LKAO_SHARED_DIR=\"${LKAO_SHARED_DIR}\"")
@@ -133,6 +142,12 @@ function(lkao_test NAME)
   set(properties TIMEOUT 900)
   if(test_LABELS)
     list(APPEND properties LABELS "${test_LABELS}")
+  endif()
+  if(NOT test_COST AND "slow" IN_LIST test_LABELS)
+    set(test_COST 100)
+  endif()
+  if(test_COST)
+    list(APPEND properties COST ${test_COST})
   endif()
   if("tsan" IN_LIST test_LABELS)
     list(APPEND properties ENVIRONMENT
