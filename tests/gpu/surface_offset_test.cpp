@@ -14,13 +14,12 @@
 
 #include "gpu/on_software.h"
 #include "gpu/pass_scene.h"
-#include "support/sanitized.h"
 
 namespace lkao::gl::tests {
 namespace {
 
-constexpr int kWidth = lkao::tests::unless_sanitized(192, 96);
-constexpr int kHeight = lkao::tests::unless_sanitized(144, 72);
+constexpr int kWidth = 320;
+constexpr int kHeight = 240;
 constexpr float kAspect = static_cast<float>(kWidth) / kHeight;
 
 enum class Place { depth, linear_depth, positions, view_positions };
