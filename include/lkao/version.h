@@ -3,16 +3,7 @@
 
 #include "lkao/export.h"
 #include "lkao/requirements.h"
-
-// Before 1.0, a new minor version may break programs and their binaries; find_package and the shared libraries' names
-// (liblkao.so.0.1) know it. CMakeLists.txt reads the three numbers here.
-#define LKAO_VERSION_MAJOR 0
-#define LKAO_VERSION_MINOR 1
-#define LKAO_VERSION_PATCH 0
-
-// For comparisons: LKAO_VERSION >= LKAO_MAKE_VERSION(0, 2, 0).
-#define LKAO_MAKE_VERSION(major, minor, patch) ((major)*10000 + (minor)*100 + (patch))
-#define LKAO_VERSION LKAO_MAKE_VERSION(LKAO_VERSION_MAJOR, LKAO_VERSION_MINOR, LKAO_VERSION_PATCH)
+#include "lkao/version_numbers.h"
 
 namespace lkao {
 

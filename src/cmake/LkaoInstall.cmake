@@ -1,7 +1,7 @@
 # cmake --install: headers, libraries, the program, and what find_package(lkao CONFIG) and pkg-config read.
 #
-# Components: lkao_lut, lkao_core, lkao_gl: what programs are built with; lkao_runtime, lkao_gl_runtime: the libraries
-# of a shared lkao alone; lkao_program.
+# Components: lkao_lut, lkao_core, lkao_gl, lkao_c: what programs are built with; lkao_runtime, lkao_gl_runtime: the
+# libraries of a shared lkao alone; lkao_c_runtime: that of the C interface; lkao_program.
 
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
@@ -56,7 +56,7 @@ set(lkao_cpu_headers "")
 foreach(header IN ITEMS ambient_occlusion kernel lkao neighbourhood occluder_bvh)
   list(APPEND lkao_cpu_headers "${lkao_headers}/${header}.h")
 endforeach()
-list(REMOVE_ITEM lkao_lut_headers ${lkao_cpu_headers} "${lkao_headers}/gl.h")
+list(REMOVE_ITEM lkao_lut_headers ${lkao_cpu_headers} "${lkao_headers}/gl.h" "${lkao_headers}/c.h")
 
 lkao_install(lkao_lut lkaoLutTargets lkao_lut lkao_runtime ${lkao_lut_headers})
 lkao_install_pc(lkao-lut lkao_lut "Sample patterns and plane mask tables of ambient occlusion" lkao_lut glm libhwy)
@@ -68,6 +68,13 @@ if(LKAO_BUILD_GL)
   lkao_install(lkao_gl lkaoGlTargets lkao_gl lkao_gl_runtime "${lkao_headers}/gl.h")
   install(DIRECTORY "${lkao_headers}/gl" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/lkao" COMPONENT lkao_gl)
   lkao_install_pc(lkao-gl lkao_gl "${PROJECT_DESCRIPTION}, as an OpenGL pass" lkao_gl lkao-lut "epoxy egl")
+endif()
+if(LKAO_BUILD_CPU AND LKAO_BUILD_C)
+  # All that the library needs is inside of it or linked, however lkao is built: a program needs it and its headers.
+  lkao_install(lkao_c lkaoCTargets lkao_c lkao_c_runtime "${lkao_headers}/c.h")
+  install(DIRECTORY "${lkao_headers}/c" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/lkao" COMPONENT lkao_c)
+  install(FILES "${lkao_headers}/version_numbers.h" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/lkao" COMPONENT lkao_c)
+  lkao_install_pc(lkao-c lkao_c "${PROJECT_DESCRIPTION}, for C" lkao_c "" "")
 endif()
 
 configure_package_config_file("${CMAKE_CURRENT_LIST_DIR}/lkaoConfig.cmake.in" "${PROJECT_BINARY_DIR}/lkaoConfig.cmake"

@@ -1,5 +1,5 @@
-# cpack -G DEB: liblkao0.1 and liblkao-gl0.1 (of a shared lkao), liblkao-dev, lkao (the program); cpack -G TGZ: one
-# archive. Configure with CMAKE_INSTALL_PREFIX=/usr, so that files get their places in Debian.
+# cpack -G DEB: liblkao0.1 and liblkao-gl0.1 (of a shared lkao), liblkao-c0 (the C interface), liblkao-dev, lkao (the
+# program); cpack -G TGZ: one archive. Configure with CMAKE_INSTALL_PREFIX=/usr, so that files get their places in Debian.
 
 set(lkao_abi "${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}")
 set(CPACK_PACKAGE_NAME lkao)
@@ -59,6 +59,12 @@ if(BUILD_SHARED_LIBS)
   endif()
 else()
   list(APPEND lkao_dev_depends libhwy-dev ${lkao_static_depends})
+endif()
+if(LKAO_BUILD_CPU AND LKAO_BUILD_C)
+  get_target_property(lkao_c_abi lkao_c SOVERSION)
+  lkao_package(c_library liblkao-c${lkao_c_abi} "${PROJECT_DESCRIPTION}: shared library for C" "" lkao_c_runtime)
+  list(APPEND lkao_dev_components lkao_c)
+  list(APPEND lkao_dev_depends "liblkao-c${lkao_c_abi} (= ${PROJECT_VERSION})")
 endif()
 list(JOIN lkao_dev_depends ", " lkao_dev_depends)
 lkao_package(dev liblkao-dev "${PROJECT_DESCRIPTION}: headers and what programs are built with" "${lkao_dev_depends}"

@@ -3,19 +3,21 @@
 # Fails, naming each line, where a file includes what lies above it or beside it:
 #   include <- lut <- bvh <- src/query = lkao::lkao
 #   include <- lut <- gpu/gl <- gpu/frame <- gpu/mesh <- gpu/masks, gpu/frame <- gpu/screen: lkao::gl
+#   lkao::lkao <- src/c_api: lkao::c, which nobody else sees
 #   lkao::lkao <- src/scene <- src/reference, src/lod, src/bake      lkao::gl, src/scene <- src/raster
 #   all of these but src/bake, src/image <- src/method; with it <- src/cli, bench
 
 cmake_minimum_required(VERSION 3.25)
 
 # The first folders of internal includes, and the libraries that only some parts may know.
-set(prefixes lkao lut bvh query scene bake lod image reference raster method cli bench gpu draco OpenMesh OpenImageIO
+set(prefixes lkao lut bvh query c_api scene bake lod image reference raster method cli bench gpu draco OpenMesh OpenImageIO
              epoxy EGL tbb embree)
 
 set(may_include_include/lkao lkao)
 set(may_include_lut lkao lut)
 set(may_include_bvh lkao lut bvh tbb)
 set(may_include_src/query lkao lut bvh query tbb)
+set(may_include_src/c_api lkao c_api tbb)
 foreach(folder IN ITEMS gl frame mesh masks volumes screen)
   set(may_include_gpu/${folder} lkao lut gpu epoxy EGL)
 endforeach()
@@ -65,6 +67,9 @@ function(judge PART FILE LINE)
   elseif(header MATCHES "^lkao/gl[./]" AND NOT PART IN_LIST gl_parts AND NOT FILE MATCHES "^include/lkao/gl[./]")
     set(is_wrong TRUE)
   endif()
+  if(header MATCHES "^lkao/c[./]" AND NOT PART STREQUAL "src/c_api" AND NOT FILE MATCHES "^include/lkao/c[./]")
+    set(is_wrong TRUE)
+  endif()
   if(is_wrong)
     math(EXPR count "${offender_count} + 1")
     set(offender_count ${count} PARENT_SCOPE)
@@ -73,7 +78,7 @@ function(judge PART FILE LINE)
 endfunction()
 
 foreach(part IN ITEMS include/lkao lut bvh gpu/gl gpu/frame gpu/mesh gpu/masks gpu/volumes gpu/screen src/query
-                      src/scene src/bake src/lod src/image src/reference src/raster src/method src/cli bench)
+                      src/c_api src/scene src/bake src/lod src/image src/reference src/raster src/method src/cli bench)
   file(GLOB_RECURSE files RELATIVE "${ROOT}" "${ROOT}/${part}/*.h" "${ROOT}/${part}/*.cpp" "${ROOT}/${part}/*.glsl")
   foreach(file IN LISTS files)
     math(EXPR file_count "${file_count} + 1")

@@ -1,0 +1,85 @@
+// Occluders: a triangle mesh, and the bounding volume hierarchy over it (lkao::OccluderBvh).
+#pragma once
+
+#include "lkao/c/status.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct lkao_bvh lkao_bvh;
+
+typedef int32_t lkao_number_type;
+enum { LKAO_FLOAT = 0, LKAO_DOUBLE = 1, LKAO_UINT16 = 2, LKAO_UINT32 = 3, LKAO_INT32 = 4 };
+
+// An indexed triangle mesh in the caller's arrays, of any layout and at any alignment; nothing is kept of them after
+// the call. Each position begins `position_stride` bytes after the one before, each triangle `triangle_stride` bytes;
+// 0: packed. The front of a triangle is the side from which its corners run counter-clockwise; its place in the array
+// is its primitive number.
+typedef struct lkao_mesh {
+  size_t size;
+  const void* positions;  // three numbers each; NULL where there are none
+  size_t position_count;
+  size_t position_stride;
+  lkao_number_type position_type;  // LKAO_FLOAT or LKAO_DOUBLE
+  lkao_number_type index_type;     // LKAO_UINT16, LKAO_UINT32 or LKAO_INT32
+  const void* indices;             // three numbers a triangle; NULL where there are none
+  size_t triangle_count;
+  size_t triangle_stride;
+  // With LKAO_DOUBLE: taken away from every position, for scenes far from zero (lkao_choose_origin). Receivers must be
+  // given less it, too.
+  double origin[3];
+} lkao_mesh;
+#define LKAO_MESH_INIT                                                                    \
+  {                                                                                       \
+    sizeof(lkao_mesh), NULL, 0, 0, LKAO_FLOAT, LKAO_UINT32, NULL, 0, 0, { 0.0, 0.0, 0.0 } \
+  }
+
+// An axis-aligned box; empty where lower > upper.
+typedef struct lkao_bounds {
+  float lower[3];
+  float upper[3];
+} lkao_bounds;
+
+typedef struct lkao_build_options {
+  size_t size;
+  int32_t spatial_splits;  // 0 or 1: cut long triangles; faster queries, 3 to 6 times as long to build
+  int32_t thread_count;    // 0: as many as oneTBB gives the calling thread
+  lkao_progress progress;  // NULL: none
+  void* progress_user;
+} lkao_build_options;
+#define LKAO_BUILD_OPTIONS_INIT \
+  { sizeof(lkao_build_options), 1, 0, NULL, NULL }
+
+// What the build found and made. Every triangle of the mesh is an occluder or counted as dropped.
+typedef struct lkao_build_report {
+  size_t size;
+  size_t triangle_count;    // in the mesh
+  size_t occluder_count;    // that can block rays
+  size_t zero_area_count;   // dropped: corners on one line, or two corners equal
+  size_t non_finite_count;  // dropped: a corner with a coordinate that is NaN or beyond 1e18
+  size_t reference_count;   // leaf entries, occluder_count plus those made by spatial splits
+  size_t node_count;
+  size_t memory_bytes;
+  double seconds;
+} lkao_build_report;
+#define LKAO_BUILD_REPORT_INIT \
+  { sizeof(lkao_build_report), 0, 0, 0, 0, 0, 0, 0, 0.0 }
+
+// Builds in parallel. `options` NULL: the defaults. A mesh without any usable triangle is valid and blocks nothing; an
+// index that names no position is LKAO_ERROR_INVALID_ARGUMENT.
+LKAO_C_API lkao_status lkao_bvh_create(const lkao_mesh* mesh, const lkao_build_options* options, lkao_bvh** bvh);
+LKAO_C_API lkao_status lkao_bvh_destroy(lkao_bvh* bvh);
+
+LKAO_C_API lkao_status lkao_bvh_get_report(const lkao_bvh* bvh, lkao_build_report* report);
+// Of all occluders; lower = +infinity, upper = -infinity where there is none.
+LKAO_C_API lkao_status lkao_bvh_get_bounds(const lkao_bvh* bvh, lkao_bounds* bounds);
+// What the mesh's positions had taken away.
+LKAO_C_API lkao_status lkao_bvh_get_origin(const lkao_bvh* bvh, double origin[3]);
+
+// An origin for a mesh far from zero, near its centre; zero where floats are fine. Reads the positions alone.
+LKAO_C_API lkao_status lkao_choose_origin(const lkao_mesh* mesh, double origin[3]);
+
+#ifdef __cplusplus
+}
+#endif

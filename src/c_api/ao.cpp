@@ -1,0 +1,127 @@
+#include "lkao/c/ao.h"
+
+#include <algorithm>
+#include <cstring>
+#include <string>
+#include <vector>
+
+#include "c_api/arrays.h"
+#include "c_api/convert.h"
+#include "c_api/handles.h"
+#include "c_api/versioned.h"
+#include "c_api/words.h"
+
+using namespace lkao::c_api;
+
+namespace {
+
+std::vector<lkao::OccluderLevel> levels_of(const lkao_level* levels, std::size_t level_count) {
+  std::vector<lkao::OccluderLevel> result;
+  if (level_count == 0) return result;
+  needed(levels, "levels");
+  const std::size_t size = levels->size;
+  result.reserve(std::min<std::size_t>(level_count, 64));
+  for (std::size_t i = 0; i < level_count; ++i) {
+    const std::string name = "levels[" + std::to_string(i) + "]";
+    const auto* const bytes = reinterpret_cast<const unsigned char*>(levels) + i * size;
+    const auto* const from = reinterpret_cast<const lkao_level*>(bytes);
+    const lkao_level level = read(from, LKAO_LEVEL_INIT, name.c_str());
+    if (from->size != size) refuse(name + "->size must be that of levels[0]");
+    result.push_back({object(level.bvh, (name + "->bvh").c_str()), level.r_min, level.r_max});
+  }
+  return result;
+}
+
+lkao_rays c_rays_of(const lkao::ReceiverRays& rays) {
+  lkao_rays result = LKAO_RAYS_INIT;
+  std::memcpy(result.origin, &rays.origin, sizeof(result.origin));
+  std::memcpy(result.frame, &rays.frame, sizeof(result.frame));
+  std::memcpy(result.up, &rays.up, sizeof(result.up));
+  std::memcpy(result.cast, rays.cast.words, sizeof(result.cast));
+  result.radius = rays.radius;
+  result.ray_count = rays.ray_count;
+  return result;
+}
+
+}  // namespace
+
+lkao_status lkao_ao_create(const lkao_bvh* bvh, const lkao_pattern* pattern, const lkao_ray_options* options,
+                           lkao_kernel kernel, lkao_ao** ao) {
+  return create(__func__, ao, "ao", [&] {
+    return lkao::AmbientOcclusion(object(bvh, "bvh"), object(pattern, "pattern"), ray_options_of(options),
+                                  word(kKernels, kernel, "kernel"));
+  });
+}
+
+lkao_status lkao_ao_create_levels(const lkao_level* levels, size_t level_count, const lkao_pattern* pattern,
+                                  const lkao_ray_options* options, lkao_kernel kernel, lkao_ao** ao) {
+  return create(__func__, ao, "ao", [&] {
+    return lkao::AmbientOcclusion(levels_of(levels, level_count), object(pattern, "pattern"), ray_options_of(options),
+                                  word(kKernels, kernel, "kernel"));
+  });
+}
+
+lkao_status lkao_ao_create_by_table(const lkao_bvh* bvh, const lkao_table* table, const lkao_ray_options* options,
+                                    lkao_node_masks node_masks, lkao_ao** ao) {
+  return create(__func__, ao, "ao", [&] {
+    return lkao::AmbientOcclusion(object(bvh, "bvh"), object(table, "table"), ray_options_of(options),
+                                  word(kNodeMasks, node_masks, "node_masks"));
+  });
+}
+
+lkao_status lkao_ao_destroy(lkao_ao* ao) { return destroy(__func__, ao, "ao"); }
+
+lkao_status lkao_ao_query(const lkao_ao* ao, const lkao_receiver* receiver, uint64_t index, lkao_answer* answer) {
+  return guard(__func__, [&] {
+    check_size(answer, "answer");
+    write(c_answer_of(object(ao, "ao").query(receiver_of(receiver), index)), answer);
+  });
+}
+
+lkao_status lkao_ao_blocked(const lkao_ao* ao, const lkao_receiver* receiver, uint64_t index, uint64_t* mask,
+                            size_t word_count) {
+  return guard(__func__, [&] {
+    const lkao::AmbientOcclusion& found = object(ao, "ao");
+    check_mask(found.pattern(), mask, word_count);
+    write_mask(found.blocked(receiver_of(receiver), index), found.pattern(), mask, word_count);
+  });
+}
+
+lkao_status lkao_ao_get_rays(const lkao_ao* ao, const lkao_receiver* receiver, uint64_t index, lkao_rays* rays,
+                             float* segments, size_t segment_stride) {
+  return guard(__func__, [&] {
+    if (rays != nullptr) check_size(rays, "rays");
+    const Strided<float, 3> to(segments, segment_stride, "segment_stride");
+    lkao::ReceiverRays found;
+    object(ao, "ao").rays(receiver_of(receiver), index, found);
+    if (rays != nullptr) write(c_rays_of(found), rays);
+    if (!to) return;
+    for (int i = 0; i < found.ray_count; ++i) {
+      const glm::vec3 segment = found.ray(i);
+      to.set(static_cast<std::size_t>(i), &segment);
+    }
+  });
+}
+
+lkao_status lkao_ao_get_options(const lkao_ao* ao, lkao_ray_options* options) {
+  return guard(__func__, [&] {
+    check_size(options, "options");
+    write(c_options_of(object(ao, "ao").options()), options);
+  });
+}
+
+lkao_status lkao_pattern_create_of_ao(const lkao_ao* ao, lkao_pattern** pattern) {
+  return create(__func__, pattern, "pattern", [&] { return object(ao, "ao").pattern(); });
+}
+
+lkao_status lkao_bvh_create_of_ao(const lkao_ao* ao, lkao_bvh** bvh) {
+  return create(__func__, bvh, "bvh", [&] { return object(ao, "ao").occluders(); });
+}
+
+lkao_status lkao_table_create_of_ao(const lkao_ao* ao, lkao_table** table) {
+  return create(__func__, table, "table", [&] {
+    const lkao::PlaneMaskTable* const found = object(ao, "ao").table();
+    if (found == nullptr) refuse("ao has no table: it was not made by lkao_ao_create_by_table");
+    return *found;
+  });
+}
