@@ -4,6 +4,7 @@
 #include <cstring>
 #include <string>
 
+#include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 
 #include "c_api/errors.h"
@@ -94,7 +95,9 @@ void run_on_threads(std::int32_t thread_count, const char* name, const std::func
   constexpr std::int32_t kMost = 4096;
   check_range(thread_count, 0, kMost, name);
   if (thread_count == 0) return body();
-  tbb::task_arena arena(thread_count);
+  // More than oneTBB has are not only useless: it would print a warning.
+  const std::size_t allowed = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+  tbb::task_arena arena(static_cast<int>(std::min(static_cast<std::size_t>(thread_count), allowed)));
   arena.execute(body);
 }
 

@@ -44,7 +44,7 @@ typedef struct lkao_bounds {
 typedef struct lkao_build_options {
   size_t size;
   int32_t spatial_splits;  // 0 or 1: cut long triangles; faster queries, 3 to 6 times as long to build
-  int32_t thread_count;    // 0: as many as oneTBB gives the calling thread
+  int32_t thread_count;    // 0: as many as oneTBB gives the calling thread; never more than it has
   lkao_progress progress;  // NULL: none
   void* progress_user;
 } lkao_build_options;

@@ -1,0 +1,203 @@
+/* A host in plain C that calls every function of lkao/c.h, linked to liblkao_c alone. Prints nothing but what is wrong;
+ * leaves nothing behind, as valgrind sees. */
+#include <lkao/c.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define CHECK(condition)                                                                     \
+  do {                                                                                       \
+    if (!(condition)) {                                                                      \
+      fprintf(stderr, "%s:%d: %s; %s\n", __FILE__, __LINE__, #condition, lkao_last_error()); \
+      exit(1);                                                                               \
+    }                                                                                        \
+  } while (0)
+#define OK(call) CHECK((call) == LKAO_OK)
+
+/* The floor lies at y = 0, the wall stands on it at z = 0. */
+static const float positions[8][3] = {{-5, 0, -5}, {5, 0, -5}, {5, 0, 5}, {-5, 0, 5},
+                                      {-5, 0, 0},  {5, 0, 0},  {5, 5, 0}, {-5, 5, 0}};
+static const uint16_t triangles[4][3] = {{0, 2, 1}, {0, 3, 2}, {4, 5, 6}, {4, 6, 7}};
+
+static int keep_going(void* user, size_t done, size_t total) {
+  CHECK(done <= total);
+  ++*(int*)user;
+  return 1;
+}
+
+static double parabola(void* user, double x) {
+  (void)user;
+  return 1 - x * x;
+}
+
+static lkao_mesh wall(void) {
+  lkao_mesh mesh = LKAO_MESH_INIT;
+  mesh.positions = positions;
+  mesh.position_count = 8;
+  mesh.indices = triangles;
+  mesh.index_type = LKAO_UINT16;
+  mesh.triangle_count = 4;
+  return mesh;
+}
+
+static lkao_receiver foot_of_the_wall(void) {
+  lkao_receiver receiver = LKAO_RECEIVER_INIT;
+  receiver.position[2] = 0.001f;
+  receiver.normal[1] = 1;
+  return receiver;
+}
+
+static lkao_bvh* build(void) {
+  const lkao_mesh mesh = wall();
+  lkao_build_options options = LKAO_BUILD_OPTIONS_INIT;
+  lkao_build_report report = LKAO_BUILD_REPORT_INIT;
+  lkao_bounds bounds;
+  double origin[3] = {1, 1, 1};
+  int calls = 0;
+  lkao_bvh* bvh = NULL;
+  options.progress = keep_going;
+  options.progress_user = &calls;
+  OK(lkao_bvh_create(&mesh, &options, &bvh));
+  CHECK(calls > 0);
+  OK(lkao_bvh_get_report(bvh, &report));
+  CHECK(report.occluder_count == 4);
+  OK(lkao_bvh_get_bounds(bvh, &bounds));
+  CHECK(bounds.lower[2] == -5 && bounds.upper[1] == 5);
+  OK(lkao_bvh_get_origin(bvh, origin));
+  CHECK(origin[0] == 0);
+  OK(lkao_choose_origin(&mesh, origin));
+  return bvh;
+}
+
+static lkao_pattern* make_pattern(void) {
+  static const float point[2] = {0.1f, 0.2f}, length = 1;
+  lkao_falloff falloff = LKAO_FALLOFF_INIT;
+  lkao_pattern_options options = LKAO_PATTERN_OPTIONS_INIT;
+  lkao_pattern *pattern = NULL, *other = NULL;
+  float elevation = 0;
+  double value = 0;
+  falloff.kind = LKAO_FALLOFF_CUSTOM;
+  falloff.function = parabola;
+  OK(lkao_falloff_value(&falloff, 0.5, &value));
+  CHECK(value == 0.75);
+  OK(lkao_falloff_length_at(&falloff, 0.75, &value));
+  CHECK(fabs(value - 0.5) < 1e-9);
+  OK(lkao_falloff_kind_named(lkao_falloff_kind_name(LKAO_FALLOFF_SMOOTH), &falloff.kind));
+  OK(lkao_pattern_kind_named(lkao_pattern_kind_name(LKAO_PATTERN_SOBOL), &options.kind));
+  options.falloff = &falloff;
+  OK(lkao_pattern_create(&options, &pattern));
+  OK(lkao_pattern_create_with_falloff(pattern, &falloff, &other));
+  OK(lkao_pattern_destroy(other));
+  OK(lkao_pattern_destroy(pattern));
+  OK(lkao_pattern_create_from_disk(point, 0, &length, 0, 1, &pattern));
+  CHECK(lkao_pattern_disk(pattern)[1] == 0.2f && lkao_pattern_lengths(pattern)[0] == 1);
+  OK(lkao_pattern_destroy(pattern));
+  OK(lkao_pattern_create_standard(256, LKAO_COSINE, &pattern));
+  OK(lkao_pattern_lowest_elevation(pattern, &elevation));
+  CHECK(elevation > 0 && lkao_pattern_directions(pattern)[2] > 0);
+  CHECK(lkao_pattern_ray_count(pattern) == 256 && lkao_pattern_word_count(pattern) == LKAO_WORD_COUNT(256));
+  return pattern;
+}
+
+static lkao_table* make_table(const lkao_pattern* pattern, lkao_plane_masks masks) {
+  static const float up[3] = {0, 0, 1};
+  lkao_table_options options = LKAO_TABLE_OPTIONS_INIT;
+  lkao_table_report report = LKAO_TABLE_REPORT_INIT;
+  lkao_table *table = NULL, *directions = NULL;
+  lkao_pattern* same = NULL;
+  uint32_t cell = 0, edge = 0;
+  options.resolution = 32;
+  options.masks = masks;
+  options.thread_count = 1;
+  OK(lkao_table_create(pattern, &options, &table));
+  OK(lkao_table_cell(table, up, 0.5f, &cell));
+  OK(lkao_table_edge_cell(table, up, &edge));
+  OK(lkao_table_get_options(table, &options));
+  OK(lkao_table_get_report(table, &report));
+  CHECK(options.resolution == 32 && cell < report.cell_count && edge < report.cell_count);
+  CHECK((lkao_table_nearest(table, cell) != NULL) == (masks == LKAO_MASKS_NEAREST));
+  CHECK((lkao_table_must(table, cell) != NULL) == (masks == LKAO_MASKS_MUST_MAY));
+  CHECK((lkao_table_may(table, cell) != NULL) == (masks == LKAO_MASKS_MUST_MAY));
+  OK(lkao_table_create_directions(table, &directions));
+  OK(lkao_table_destroy(directions));
+  OK(lkao_pattern_create_of_table(table, &same));
+  OK(lkao_pattern_destroy(same));
+  return table;
+}
+
+/* Half of the sky is behind the wall, as far as rays reach it: a little less than 0.5. */
+static void check_answers(const lkao_ao* ao) {
+  const lkao_receiver receiver = foot_of_the_wall();
+  const lkao_bounds box = {{-1, 0, 0}, {1, 0, 1}};
+  lkao_answer answer = LKAO_ANSWER_INIT;
+  lkao_rays rays = LKAO_RAYS_INIT;
+  lkao_neighbourhood* near = NULL;
+  lkao_receivers receivers = LKAO_RECEIVERS_INIT;
+  lkao_outputs outputs = LKAO_OUTPUTS_INIT;
+  lkao_query_report report = LKAO_QUERY_REPORT_INIT;
+  uint64_t mask[LKAO_MAX_WORD_COUNT];
+  float occlusion = -1, segments[256][3];
+  OK(lkao_ao_query(ao, &receiver, 0, &answer));
+  CHECK(answer.occlusion > 0.48f && answer.occlusion < 0.51f && answer.bent_normal[2] > 0);
+  OK(lkao_ao_blocked(ao, &receiver, 0, mask, LKAO_MAX_WORD_COUNT));
+  CHECK(memcmp(mask, answer.mask, sizeof(mask)) == 0);
+  OK(lkao_ao_get_rays(ao, &receiver, 0, &rays, segments[0], 0));
+  CHECK(rays.ray_count == 256 && rays.radius == 2);
+  OK(lkao_neighbourhood_create(ao, &box, &near));
+  OK(lkao_neighbourhood_blocked(near, &receiver, 0, mask, LKAO_MAX_WORD_COUNT));
+  CHECK(memcmp(mask, answer.mask, sizeof(mask)) == 0);
+  OK(lkao_neighbourhood_query(near, &receiver, 0, &answer));
+  OK(lkao_neighbourhood_destroy(near));
+  receivers.count = 1;
+  receivers.positions = receiver.position;
+  receivers.normals = receiver.normal;
+  outputs.occlusion = &occlusion;
+  OK(lkao_ao_query_batch(ao, &receivers, &outputs, NULL, &report));
+  CHECK(occlusion == answer.occlusion && report.ray_count == 256);
+}
+
+static void check_queries(const lkao_bvh* bvh, const lkao_pattern* pattern) {
+  lkao_table *exact = make_table(pattern, LKAO_MASKS_MUST_MAY), *same = NULL;
+  lkao_ray_options options = LKAO_RAY_OPTIONS_INIT;
+  lkao_level level = LKAO_LEVEL_INIT;
+  lkao_ao* aos[3] = {NULL, NULL, NULL};
+  lkao_pattern* of_ao = NULL;
+  lkao_bvh* bvh_of_ao = NULL;
+  int i;
+  OK(lkao_table_destroy(make_table(pattern, LKAO_MASKS_NEAREST)));
+  options.radius = 2;
+  level.bvh = bvh;
+  level.r_max = INFINITY;
+  OK(lkao_ao_create(bvh, pattern, &options, LKAO_SIMD, &aos[0]));
+  OK(lkao_ao_create_levels(&level, 1, pattern, &options, LKAO_SCALAR, &aos[1]));
+  OK(lkao_ao_create_by_table(bvh, exact, &options, LKAO_NODES_BOX_OUTLINE, &aos[2]));
+  for (i = 0; i < 3; ++i) check_answers(aos[i]);
+  OK(lkao_ao_get_options(aos[0], &options));
+  CHECK(options.radius == 2);
+  OK(lkao_pattern_create_of_ao(aos[0], &of_ao));
+  OK(lkao_bvh_create_of_ao(aos[0], &bvh_of_ao));
+  OK(lkao_table_create_of_ao(aos[2], &same));
+  OK(lkao_pattern_destroy(of_ao));
+  OK(lkao_bvh_destroy(bvh_of_ao));
+  OK(lkao_table_destroy(same));
+  OK(lkao_table_destroy(exact));
+  for (i = 0; i < 3; ++i) OK(lkao_ao_destroy(aos[i]));
+  /* A handle that is no more. */
+  CHECK(lkao_ao_destroy(aos[0]) == LKAO_ERROR_INVALID_HANDLE);
+  CHECK(strcmp(lkao_last_error(), "lkao_ao_destroy: ao was destroyed: it must be a lkao_ao") == 0);
+}
+
+int main(void) {
+  lkao_bvh* bvh = build();
+  lkao_pattern* pattern = make_pattern();
+  CHECK(strcmp(lkao_status_name(LKAO_ERROR_CANCELLED), "LKAO_ERROR_CANCELLED") == 0);
+  CHECK(lkao_active_isa() != NULL && lkao_available_isa(0) != NULL);
+  OK(lkao_force_isa(""));
+  CHECK(lkao_version()[0] == '0' + LKAO_VERSION_MAJOR);
+  check_queries(bvh, pattern);
+  OK(lkao_bvh_destroy(bvh));
+  OK(lkao_pattern_destroy(pattern));
+  CHECK(lkao_live_handle_count() == 0);
+  return 0;
+}
