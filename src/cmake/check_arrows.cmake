@@ -10,8 +10,8 @@
 cmake_minimum_required(VERSION 3.25)
 
 # The first folders of internal includes, and the libraries that only some parts may know.
-set(prefixes lkao lut bvh query c_api scene bake lod image reference raster method cli bench gpu draco OpenMesh OpenImageIO
-             epoxy EGL tbb embree)
+set(prefixes lkao lut bvh query c_api scene bake lod image reference raster method cli bench gpu draco OpenMesh
+             OpenImageIO epoxy EGL tbb embree)
 
 set(may_include_include/lkao lkao)
 set(may_include_lut lkao lut)

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """abi.py HEADERS CC LIBRARY HOST LIST [--update]: the binary interface of liblkao_c is what LIST says.
 
-Of the headers: every function with its arguments, every type, number of an enumeration and struct; of a program that the
-compiler CC makes of them: the sizes of the structs and where their members lie; of LIBRARY: the names that it
+Of the headers: every function with its arguments, every type, number of an enumeration and struct; of a program that
+the compiler CC makes of them: the sizes of the structs and where their members lie; of LIBRARY: the names that it
 exports. HOST, the object of a program in C, calls every function. LIST only grows: a line of it that changes or goes
 breaks programs that exist, and needs another LKAO_C_ABI.
 """

@@ -1,4 +1,5 @@
-# cmake -DCXX=<compiler> -DPREFIX=<install tree> -DMODULE=lkao -DSOURCE=main.cpp -DPROGRAM=<file> -P pkg_config.cmake
+# cmake -DCOMPILER=<compiler,flags> -DPREFIX=<install tree> -DMODULE=lkao -DSOURCE=main.cpp -DPROGRAM=<file>
+#       -P pkg_config.cmake
 #
 # Compiles and links a program with what pkg-config says, and runs it.
 
@@ -9,6 +10,7 @@ execute_process(COMMAND pkg-config --cflags --libs ${MODULE} ${ALSO} OUTPUT_VARI
                 OUTPUT_STRIP_TRAILING_WHITESPACE)
 separate_arguments(flags UNIX_COMMAND "${flags}")
 cmake_path(GET folder PARENT_PATH libraries)
-execute_process(COMMAND "${CXX}" -std=c++20 -o "${PROGRAM}" "${SOURCE}" ${flags} "-Wl,-rpath,${libraries}"
+string(REPLACE "," ";" COMPILER "${COMPILER}")
+execute_process(COMMAND ${COMPILER} -o "${PROGRAM}" "${SOURCE}" ${flags} "-Wl,-rpath,${libraries}"
                 COMMAND_ERROR_IS_FATAL ANY)
 execute_process(COMMAND "${PROGRAM}" COMMAND_ERROR_IS_FATAL ANY)
