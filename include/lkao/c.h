@@ -5,11 +5,11 @@
 //   mesh.indices = indices, mesh.triangle_count = triangle_count;
 //   lkao_ray_options rays = LKAO_RAY_OPTIONS_INIT;
 //   rays.radius = 2;
-//   lkao_bvh* bvh = NULL;
+//   lkao_scene* scene = NULL;
 //   lkao_pattern* pattern = NULL;
 //   lkao_ao* ao = NULL;
-//   if (lkao_bvh_create(&mesh, NULL, &bvh) || lkao_pattern_create_standard(128, LKAO_COSINE, &pattern) ||
-//       lkao_ao_create(bvh, pattern, &rays, LKAO_SIMD, &ao)) {
+//   if (lkao_scene_create(&mesh, NULL, &scene) || lkao_pattern_create_standard(128, LKAO_COSINE, &pattern) ||
+//       lkao_ao_create(scene, pattern, &rays, LKAO_SIMD, &ao)) {
 //     fprintf(stderr, "%s\n", lkao_last_error());
 //   }
 //   lkao_ao_query(ao, &receiver, pixel, &answer);
@@ -18,7 +18,7 @@
 // function means in depth, and what it costs, is said at its twin in lkao.h and what that includes.
 //
 // Handles   are opaque, made by lkao_*_create* and given back to lkao_*_destroy, which takes NULL, too. An object keeps
-//           what it was made of: a mesh's arrays and a bvh's handle may go once the lkao_ao is made. A handle that is
+//           what it was made of: a mesh's arrays and a scene's handle may go once the lkao_ao is made. A handle that is
 //           NULL, was destroyed, is of another kind, or was never one, is answered with LKAO_ERROR_INVALID_HANDLE and a
 //           message: handles are numbers that the library looks up, and never addresses that it follows. On 32-bit
 //           machines that is found out in nearly all cases.
@@ -30,9 +30,10 @@
 //           defaults: zero is a value and no default. A smaller size is a caller of older headers: members that it does
 //           not know have their defaults. Of a larger size, bytes that this library does not know must be zero
 //           (LKAO_ERROR_UNSUPPORTED). Into structs that it fills, the library writes no more than their size.
-// Threads   A handle may be used by any number of threads at once; lkao_neighbourhood by one at a time. Destroying is
-//           using: nobody else may use the handle then, or later. Builds and batches run in parallel on oneTBB's
-//           threads, on as many as `thread_count` says. Results do not depend on it.
+// Threads   A handle may be used by any number of threads at once; lkao_neighbourhood, and a lkao_scene that is
+//           changed, by one at a time. Destroying is using: nobody else may use the handle then, or later. Builds and
+//           batches run in parallel on oneTBB's threads, on as many as `thread_count` says. Results do not depend on
+//           it.
 // Callbacks are called from any of these threads, one call at a time, and get the `user` pointer that was given with
 //           them. They may call the interface, but must neither throw nor jump out.
 //
@@ -49,5 +50,6 @@
 #include "lkao/c/isa.h"
 #include "lkao/c/neighbourhood.h"
 #include "lkao/c/pattern.h"
+#include "lkao/c/scene.h"
 #include "lkao/c/status.h"
 #include "lkao/c/table.h"

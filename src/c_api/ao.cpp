@@ -1,6 +1,5 @@
 #include "lkao/c/ao.h"
 
-#include <algorithm>
 #include <cstring>
 #include <string>
 #include <vector>
@@ -17,18 +16,10 @@ namespace {
 
 std::vector<lkao::OccluderLevel> levels_of(const lkao_level* levels, std::size_t level_count) {
   std::vector<lkao::OccluderLevel> result;
-  if (level_count == 0) return result;
-  needed(levels, "levels");
-  const std::size_t size = levels->size;
-  result.reserve(std::min<std::size_t>(level_count, 64));
-  for (std::size_t i = 0; i < level_count; ++i) {
-    const std::string name = "levels[" + std::to_string(i) + "]";
-    const auto* const bytes = reinterpret_cast<const unsigned char*>(levels) + i * size;
-    const auto* const from = reinterpret_cast<const lkao_level*>(bytes);
-    const lkao_level level = read(from, LKAO_LEVEL_INIT, name.c_str());
-    if (from->size != size) refuse(name + "->size must be that of levels[0]");
-    result.push_back({object(level.bvh, (name + "->bvh").c_str()), level.r_min, level.r_max});
-  }
+  result.reserve(level_count);
+  for_each(levels, level_count, LKAO_LEVEL_INIT, "levels", [&](const lkao_level& from, const std::string& name) {
+    result.push_back({object(from.scene, (name + "->scene").c_str()), from.r_min, from.r_max});
+  });
   return result;
 }
 
@@ -45,10 +36,10 @@ lkao_rays c_rays_of(const lkao::ReceiverRays& rays) {
 
 }  // namespace
 
-lkao_status lkao_ao_create(const lkao_bvh* bvh, const lkao_pattern* pattern, const lkao_ray_options* options,
+lkao_status lkao_ao_create(const lkao_scene* scene, const lkao_pattern* pattern, const lkao_ray_options* options,
                            lkao_kernel kernel, lkao_ao** ao) {
   return create(__func__, ao, "ao", [&] {
-    return lkao::AmbientOcclusion(object(bvh, "bvh"), object(pattern, "pattern"), ray_options_of(options),
+    return lkao::AmbientOcclusion(object(scene, "scene"), object(pattern, "pattern"), ray_options_of(options),
                                   word(kKernels, kernel, "kernel"));
   });
 }
@@ -61,10 +52,10 @@ lkao_status lkao_ao_create_levels(const lkao_level* levels, size_t level_count, 
   });
 }
 
-lkao_status lkao_ao_create_by_table(const lkao_bvh* bvh, const lkao_table* table, const lkao_ray_options* options,
+lkao_status lkao_ao_create_by_table(const lkao_scene* scene, const lkao_table* table, const lkao_ray_options* options,
                                     lkao_node_masks node_masks, lkao_ao** ao) {
   return create(__func__, ao, "ao", [&] {
-    return lkao::AmbientOcclusion(object(bvh, "bvh"), object(table, "table"), ray_options_of(options),
+    return lkao::AmbientOcclusion(object(scene, "scene"), object(table, "table"), ray_options_of(options),
                                   word(kNodeMasks, node_masks, "node_masks"));
   });
 }
@@ -114,8 +105,8 @@ lkao_status lkao_pattern_create_of_ao(const lkao_ao* ao, lkao_pattern** pattern)
   return create(__func__, pattern, "pattern", [&] { return object(ao, "ao").pattern(); });
 }
 
-lkao_status lkao_bvh_create_of_ao(const lkao_ao* ao, lkao_bvh** bvh) {
-  return create(__func__, bvh, "bvh", [&] { return object(ao, "ao").occluders(); });
+lkao_status lkao_scene_create_of_ao(const lkao_ao* ao, lkao_scene** scene) {
+  return create(__func__, scene, "scene", [&] { return object(ao, "ao").occluders(); });
 }
 
 lkao_status lkao_table_create_of_ao(const lkao_ao* ao, lkao_table** table) {

@@ -25,7 +25,9 @@ class Receivers {
         positions_(from.positions, from.position_stride, "receivers->position_stride"),
         normals_(from.normals, from.normal_stride, "receivers->normal_stride"),
         geometric_normals_(from.geometric_normals, from.geometric_normal_stride, "receivers->geometric_normal_stride"),
-        excluded_(from.excluded_primitives, from.excluded_primitive_stride, "receivers->excluded_primitive_stride") {
+        excluded_(from.excluded_primitives, from.excluded_primitive_stride, "receivers->excluded_primitive_stride"),
+        instances_(from.excluded_instances, from.excluded_instance_stride, "receivers->excluded_instance_stride"),
+        groups_(from.occluder_groups, from.occluder_group_stride, "receivers->occluder_group_stride") {
     if (count_ == 0) return;
     needed(from.positions, "receivers->positions");
     needed(from.normals, "receivers->normals");
@@ -41,13 +43,15 @@ class Receivers {
       normals_.get(first + k, &part[k].normal);
       if (geometric_normals_) geometric_normals_.get(first + k, &part[k].geometric_normal);
       if (excluded_) excluded_.get(first + k, &part[k].excluded_primitive);
+      if (instances_) instances_.get(first + k, &part[k].excluded_instance);
+      if (groups_) groups_.get(first + k, &part[k].occluder_groups);
     }
   }
 
  private:
   std::size_t count_;
   Strided<const float, 3> positions_, normals_, geometric_normals_;
-  Strided<const std::uint32_t, 1> excluded_;
+  Strided<const std::uint32_t, 1> excluded_, instances_, groups_;
 };
 
 // One array of answers. Where the caller's is not packed, those of a part wait in one of its own.

@@ -61,7 +61,9 @@ Receiver receiver_of(const lkao_receiver* receiver) {
   return {.position = {p[0], p[1], p[2]},
           .normal = {n[0], n[1], n[2]},
           .geometric_normal = {g[0], g[1], g[2]},
-          .excluded_primitive = from.excluded_primitive};
+          .excluded_primitive = from.excluded_primitive,
+          .excluded_instance = from.excluded_instance,
+          .occluder_groups = from.occluder_groups};
 }
 
 lkao_answer c_answer_of(const ReceiverOcclusion& answer) {

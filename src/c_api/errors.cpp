@@ -31,6 +31,8 @@ lkao_status handle_exception(const char* function) noexcept {
     return fail(error.status(), function, error.what());
   } catch (const std::invalid_argument& error) {
     return fail(LKAO_ERROR_INVALID_ARGUMENT, function, error.what());
+  } catch (const std::out_of_range& error) {
+    return fail(LKAO_ERROR_INVALID_ARGUMENT, function, error.what());
   } catch (const std::bad_alloc&) {
     return fail(LKAO_ERROR_OUT_OF_MEMORY, function, "out of memory");
   } catch (const std::length_error&) {

@@ -81,6 +81,8 @@ const char* name_of(Kind kind) {
       return "lkao_table";
     case Kind::bvh:
       return "lkao_bvh";
+    case Kind::scene:
+      return "lkao_scene";
     case Kind::ao:
       return "lkao_ao";
     case Kind::neighbourhood:

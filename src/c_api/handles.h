@@ -37,6 +37,11 @@ struct Behind<lkao_bvh> {
   static constexpr Kind kKind = Kind::bvh;
 };
 template <>
+struct Behind<lkao_scene> {
+  using Object = OccluderScene;
+  static constexpr Kind kKind = Kind::scene;
+};
+template <>
 struct Behind<lkao_ao> {
   using Object = AmbientOcclusion;
   static constexpr Kind kKind = Kind::ao;

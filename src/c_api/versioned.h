@@ -49,6 +49,21 @@ Struct read_or_defaults(const Struct* from, const Struct& defaults, const char* 
   return from == nullptr ? defaults : read(from, defaults, name);
 }
 
+// Calls `body(struct, name)` for each of an array of structs, which are all as large as the caller's first.
+template <typename Struct, typename Body>
+void for_each(const Struct* first, std::size_t count, const Struct& defaults, const char* name, const Body& body) {
+  if (count == 0) return;
+  const std::size_t size = needed(first, name)->size;
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::string its_name = std::string(name) + "[" + std::to_string(i) + "]";
+    const auto* const bytes = reinterpret_cast<const unsigned char*>(first) + i * size;
+    const auto* const from = reinterpret_cast<const Struct*>(bytes);
+    const Struct own = read(from, defaults, its_name.c_str());
+    if (from->size != size) refuse(its_name + "->size must be that of " + name + "[0]");
+    body(own, its_name);
+  }
+}
+
 // Fills as much of the caller's struct as the caller knows. To be checked by check_size() before.
 template <typename Struct>
 void write(const Struct& value, Struct* to) {

@@ -53,7 +53,7 @@ lkao_receivers c_receivers(const std::vector<Point>& points) {
 
 TEST(CBatch, AnswersBetweenOtherDataAsCpp) {
   const Mesh mesh = random_soup(500, 0.1f, 3);
-  const OwnedAo ao = c_ao(c_bvh(mesh), c_pattern(100), c_rays(0.3f));
+  const OwnedAo ao = c_ao(c_scene(mesh), c_pattern(100), c_rays(0.3f));
   std::vector<Receiver> receivers = with_exclusions(random_receivers(500, 1, 11), 4);
   receivers[7].normal = glm::vec3(0);
   std::vector<Point> points = points_of(receivers);
@@ -86,7 +86,7 @@ TEST(CBatch, AnswersBetweenOtherDataAsCpp) {
 
 TEST(CBatch, OfManyPartsIsOneBatch) {
   const Mesh mesh = random_soup(20, 0.3f, 3);
-  const OwnedAo ao = c_ao(c_bvh(mesh), c_pattern(1), c_rays(0.2f));
+  const OwnedAo ao = c_ao(c_scene(mesh), c_pattern(1), c_rays(0.2f));
   const std::vector<Receiver> receivers = random_receivers(static_cast<int>(kManyCount), 1, 11);
   const std::vector<Point> points = points_of(receivers);
   const lkao_receivers all = c_receivers(points);
@@ -121,7 +121,7 @@ TEST(CBatch, OfManyPartsIsOneBatch) {
 }
 
 TEST(CBatch, OfNothingIsAnswered) {
-  const OwnedAo ao = c_ao(c_bvh(closed_box()), c_pattern(64), c_rays(1));
+  const OwnedAo ao = c_ao(c_scene(closed_box()), c_pattern(64), c_rays(1));
   const lkao_receivers none = LKAO_RECEIVERS_INIT;
   const lkao_outputs outputs = LKAO_OUTPUTS_INIT;
   EXPECT_EQ(lkao_ao_query_batch(ao.get(), &none, &outputs, nullptr, nullptr), LKAO_OK) << lkao_last_error();
@@ -135,7 +135,7 @@ int stop(void* user, std::size_t, std::size_t) {
 TEST(CProgress, StopsBatchesAndBuilds) {
   const Mesh mesh = random_soup(20'000, 0.1f, 3);
   const OwnedBvh bvh = c_bvh(mesh);
-  const OwnedAo ao = c_ao(bvh, c_pattern(16), c_rays(0.1f));
+  const OwnedAo ao = c_ao(c_scene(mesh), c_pattern(16), c_rays(0.1f));
   const std::vector<Point> points = points_of(random_receivers(5000, 1, 11));
   const lkao_receivers all = c_receivers(points);
   const lkao_outputs outputs = LKAO_OUTPUTS_INIT;

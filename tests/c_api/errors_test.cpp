@@ -16,13 +16,12 @@
 namespace lkao {
 namespace {
 
-using tests::c_bvh;
 using tests::c_pattern;
 using tests::c_rays;
 using tests::made;
 using tests::OwnedAo;
-using tests::OwnedBvh;
 using tests::OwnedPattern;
+using tests::OwnedScene;
 using tests::OwnedTable;
 
 void expect_error(lkao_status actual, const std::string& message, lkao_status status = LKAO_ERROR_INVALID_ARGUMENT) {
@@ -32,17 +31,17 @@ void expect_error(lkao_status actual, const std::string& message, lkao_status st
 
 class CErrors : public testing::Test {
  protected:
-  OwnedBvh bvh_ = c_bvh(tests::closed_box());
+  OwnedScene scene_ = tests::c_scene(tests::closed_box());
   OwnedPattern pattern_ = c_pattern(70);
   lkao_ray_options options_ = c_rays(1);
-  OwnedAo ao_ = tests::c_ao(bvh_, pattern_, options_);
+  OwnedAo ao_ = tests::c_ao(scene_, pattern_, options_);
   lkao_receiver receiver_ = tests::c_receiver({.position = {0, 0, 0}, .normal = {0, 0, 1}});
   lkao_answer answer_ = LKAO_ANSWER_INIT;
 };
 
 TEST_F(CErrors, OfMeshes) {
   const tests::Mesh box = tests::closed_box();
-  lkao_bvh* bvh = bvh_.get();
+  lkao_bvh* bvh = reinterpret_cast<lkao_bvh*>(scene_.get());
   const auto refuse = [&](const lkao_mesh& mesh, const std::string& message) {
     expect_error(lkao_bvh_create(&mesh, nullptr, &bvh), "lkao_bvh_create: " + message);
     EXPECT_EQ(bvh, nullptr);
@@ -58,7 +57,7 @@ TEST_F(CErrors, OfMeshes) {
   mesh = good, mesh.index_type = LKAO_FLOAT;
   refuse(mesh, "mesh->index_type must be LKAO_UINT16, LKAO_UINT32 or LKAO_INT32, not 0");
   mesh = good, mesh.origin[1] = 3;
-  refuse(mesh, "mesh->origin must be 0 unless mesh->position_type is LKAO_DOUBLE");
+  refuse(mesh, "mesh->origin must be 0 unless its position_type is LKAO_DOUBLE");
   mesh = good, mesh.position_stride = 8;
   refuse(mesh, "stride of positions must be 0 or at least 12 bytes, not 8");
   mesh = good, mesh.triangle_stride = 8;
@@ -124,20 +123,20 @@ TEST_F(CErrors, OfPatternsAndTables) {
 
 TEST_F(CErrors, OfQueries) {
   lkao_ao* ao = nullptr;
-  expect_error(lkao_ao_create(bvh_.get(), pattern_.get(), &options_, 2, &ao),
+  expect_error(lkao_ao_create(scene_.get(), pattern_.get(), &options_, 2, &ao),
                "lkao_ao_create: kernel must be 0 to 1, not 2");
   lkao_ray_options options = LKAO_RAY_OPTIONS_INIT;
-  expect_error(lkao_ao_create(bvh_.get(), pattern_.get(), &options, LKAO_SIMD, &ao),
+  expect_error(lkao_ao_create(scene_.get(), pattern_.get(), &options, LKAO_SIMD, &ao),
                "lkao_ao_create: radius must be greater than 0 and at most 1e18, or infinity, not 0");
   options = options_, options.sidedness = 2;
-  expect_error(lkao_ao_create(bvh_.get(), pattern_.get(), &options, LKAO_SIMD, &ao),
+  expect_error(lkao_ao_create(scene_.get(), pattern_.get(), &options, LKAO_SIMD, &ao),
                "lkao_ao_create: options->sidedness must be 0 to 1, not 2");
   expect_error(lkao_ao_create_levels(nullptr, 0, pattern_.get(), &options_, LKAO_SIMD, &ao),
                "lkao_ao_create_levels: levels must be at least one, not 0");
   lkao_level level = LKAO_LEVEL_INIT;
   expect_error(lkao_ao_create_levels(&level, 1, pattern_.get(), &options_, LKAO_SIMD, &ao),
-               "lkao_ao_create_levels: levels[0]->bvh is NULL: it must be a lkao_bvh", LKAO_ERROR_INVALID_HANDLE);
-  level.bvh = bvh_.get();
+               "lkao_ao_create_levels: levels[0]->scene is NULL: it must be a lkao_scene", LKAO_ERROR_INVALID_HANDLE);
+  level.scene = scene_.get();
   expect_error(lkao_ao_create_levels(&level, 1, pattern_.get(), &options_, LKAO_SIMD, &ao),
                "lkao_ao_create_levels: levels[0] must have 0 <= r_min < r_max, not 0 and 0");
 
@@ -171,31 +170,33 @@ TEST_F(CErrors, OfQueries) {
 
 TEST_F(CErrors, OfHandles) {
   lkao_ao* ao = nullptr;
-  const auto create = [&](const void* bvh) {
-    return lkao_ao_create(static_cast<const lkao_bvh*>(bvh), pattern_.get(), &options_, LKAO_SIMD, &ao);
+  const auto create = [&](const void* scene) {
+    return lkao_ao_create(static_cast<const lkao_scene*>(scene), pattern_.get(), &options_, LKAO_SIMD, &ao);
   };
-  expect_error(create(nullptr), "lkao_ao_create: bvh is NULL: it must be a lkao_bvh", LKAO_ERROR_INVALID_HANDLE);
-  expect_error(create(pattern_.get()), "lkao_ao_create: bvh is a lkao_pattern: it must be a lkao_bvh",
+  expect_error(create(nullptr), "lkao_ao_create: scene is NULL: it must be a lkao_scene", LKAO_ERROR_INVALID_HANDLE);
+  expect_error(create(pattern_.get()), "lkao_ao_create: scene is a lkao_pattern: it must be a lkao_scene",
                LKAO_ERROR_INVALID_HANDLE);
   int foreign = 0;
   const auto on_heap = std::make_unique<int>(0);
   for (const void* other : {static_cast<const void*>(&foreign), static_cast<const void*>(on_heap.get())}) {
-    expect_error(create(other), "lkao_ao_create: bvh was never a handle: it must be a lkao_bvh",
+    expect_error(create(other), "lkao_ao_create: scene was never a handle: it must be a lkao_scene",
                  LKAO_ERROR_INVALID_HANDLE);
   }
-  lkao_bvh* const stale = c_bvh(tests::closed_box()).release();
-  EXPECT_EQ(lkao_bvh_destroy(stale), LKAO_OK);
-  expect_error(create(stale), "lkao_ao_create: bvh was destroyed: it must be a lkao_bvh", LKAO_ERROR_INVALID_HANDLE);
-  expect_error(lkao_bvh_destroy(stale), "lkao_bvh_destroy: bvh was destroyed: it must be a lkao_bvh",
+  lkao_scene* const stale = tests::c_scene(tests::closed_box()).release();
+  EXPECT_EQ(lkao_scene_destroy(stale), LKAO_OK);
+  expect_error(create(stale), "lkao_ao_create: scene was destroyed: it must be a lkao_scene",
+               LKAO_ERROR_INVALID_HANDLE);
+  expect_error(lkao_scene_destroy(stale), "lkao_scene_destroy: scene was destroyed: it must be a lkao_scene",
                LKAO_ERROR_INVALID_HANDLE);
   // Another one in its place.
-  const OwnedBvh next = c_bvh(tests::closed_box());
+  const OwnedScene next = tests::c_scene(tests::closed_box());
   EXPECT_NE(next.get(), stale);
-  expect_error(create(stale), "lkao_ao_create: bvh was destroyed: it must be a lkao_bvh", LKAO_ERROR_INVALID_HANDLE);
+  expect_error(create(stale), "lkao_ao_create: scene was destroyed: it must be a lkao_scene",
+               LKAO_ERROR_INVALID_HANDLE);
   EXPECT_EQ(lkao_pattern_ray_count(nullptr), 0);
   EXPECT_STREQ(lkao_last_error(), "lkao_pattern_ray_count: pattern is NULL: it must be a lkao_pattern");
   EXPECT_EQ(lkao_pattern_lengths(nullptr), nullptr);
-  EXPECT_EQ(lkao_bvh_destroy(nullptr), LKAO_OK);
+  EXPECT_EQ(lkao_scene_destroy(nullptr), LKAO_OK);
 }
 
 TEST_F(CErrors, AreOfTheirThread) {
@@ -203,11 +204,11 @@ TEST_F(CErrors, AreOfTheirThread) {
   std::string at_first = "?", after_error;
   std::thread([&] {
     at_first = lkao_last_error();
-    lkao_ao_destroy(reinterpret_cast<lkao_ao*>(bvh_.get()));
+    lkao_ao_destroy(reinterpret_cast<lkao_ao*>(scene_.get()));
     after_error = lkao_last_error();
   }).join();
   EXPECT_EQ(at_first, "");
-  EXPECT_EQ(after_error, "lkao_ao_destroy: ao is a lkao_bvh: it must be a lkao_ao");
+  EXPECT_EQ(after_error, "lkao_ao_destroy: ao is a lkao_scene: it must be a lkao_ao");
   EXPECT_STREQ(lkao_last_error(), "lkao_pattern_create: pattern must not be NULL");
   // Success leaves it.
   EXPECT_EQ(lkao_ao_query(ao_.get(), &receiver_, 0, &answer_), LKAO_OK);
@@ -218,9 +219,9 @@ TEST_F(CErrors, LeaveNoHandleBehind) {
   const std::size_t before = lkao_live_handle_count();
   lkao_ao* ao = nullptr;
   lkao_ray_options options = LKAO_RAY_OPTIONS_INIT;
-  EXPECT_NE(lkao_ao_create(bvh_.get(), pattern_.get(), &options, LKAO_SIMD, &ao), LKAO_OK);
+  EXPECT_NE(lkao_ao_create(scene_.get(), pattern_.get(), &options, LKAO_SIMD, &ao), LKAO_OK);
   EXPECT_EQ(lkao_live_handle_count(), before);
-  EXPECT_EQ(lkao_ao_create(bvh_.get(), pattern_.get(), &options_, LKAO_SIMD, &ao), LKAO_OK);
+  EXPECT_EQ(lkao_ao_create(scene_.get(), pattern_.get(), &options_, LKAO_SIMD, &ao), LKAO_OK);
   EXPECT_EQ(lkao_live_handle_count(), before + 1);
   EXPECT_EQ(lkao_ao_destroy(ao), LKAO_OK);
   EXPECT_EQ(lkao_live_handle_count(), before);
@@ -229,7 +230,7 @@ TEST_F(CErrors, LeaveNoHandleBehind) {
 TEST_F(CErrors, OfStructsWithoutTheirSize) {
   receiver_.size = 0;
   expect_error(lkao_ao_query(ao_.get(), &receiver_, 0, &answer_),
-               "lkao_ao_query: receiver->size must be at least 48 bytes, not 0: begin with the struct's LKAO_..._INIT");
+               "lkao_ao_query: receiver->size must be at least 56 bytes, not 0: begin with the struct's LKAO_..._INIT");
   receiver_ = LKAO_RECEIVER_INIT;
   answer_.size = std::numeric_limits<std::size_t>::max();
   EXPECT_EQ(lkao_ao_query(ao_.get(), &receiver_, 0, &answer_), LKAO_ERROR_INVALID_ARGUMENT);
@@ -242,10 +243,10 @@ TEST_F(CErrors, OfLargerStructsOnlyWhereTheyHaveMore) {
   } newer{options_, 0};
   newer.options.size = sizeof(newer);
   lkao_ao* ao = nullptr;
-  ASSERT_EQ(lkao_ao_create(bvh_.get(), pattern_.get(), &newer.options, LKAO_SIMD, &ao), LKAO_OK) << lkao_last_error();
+  ASSERT_EQ(lkao_ao_create(scene_.get(), pattern_.get(), &newer.options, LKAO_SIMD, &ao), LKAO_OK) << lkao_last_error();
   EXPECT_EQ(lkao_ao_destroy(ao), LKAO_OK);
   newer.more = 1;
-  expect_error(lkao_ao_create(bvh_.get(), pattern_.get(), &newer.options, LKAO_SIMD, &ao),
+  expect_error(lkao_ao_create(scene_.get(), pattern_.get(), &newer.options, LKAO_SIMD, &ao),
                "lkao_ao_create: options has members set that lkao " + std::string(lkao_version()) +
                    " does not know: byte " + std::to_string(sizeof(lkao_ray_options)) + " is not 0",
                LKAO_ERROR_UNSUPPORTED);

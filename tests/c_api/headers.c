@@ -10,6 +10,9 @@ int main(void) {
   const lkao_table_options table_options = LKAO_TABLE_OPTIONS_INIT;
   const lkao_table_report table_report = LKAO_TABLE_REPORT_INIT;
   const lkao_ray_options ray_options = LKAO_RAY_OPTIONS_INIT;
+  const lkao_instance instance = LKAO_INSTANCE_INIT;
+  const lkao_mesh_instance mesh_instance = LKAO_MESH_INSTANCE_INIT;
+  const lkao_scene_report scene_report = LKAO_SCENE_REPORT_INIT;
   const lkao_level level = LKAO_LEVEL_INIT;
   const lkao_receiver receiver = LKAO_RECEIVER_INIT;
   const lkao_answer answer = LKAO_ANSWER_INIT;
@@ -19,7 +22,8 @@ int main(void) {
   const lkao_batch_options batch_options = LKAO_BATCH_OPTIONS_INIT;
   const lkao_query_report query_report = LKAO_QUERY_REPORT_INIT;
   const size_t size = mesh.size + build_options.size + build_report.size + falloff.size + pattern_options.size +
-                      table_options.size + table_report.size + ray_options.size + level.size + receiver.size +
-                      answer.size + rays.size + receivers.size + outputs.size + batch_options.size + query_report.size;
+                      table_options.size + table_report.size + ray_options.size + level.size + instance.size +
+                      mesh_instance.size + scene_report.size + receiver.size + answer.size + rays.size +
+                      receivers.size + outputs.size + batch_options.size + query_report.size;
   return size > 0 && LKAO_VERSION >= LKAO_MAKE_VERSION(0, 1, 0) ? 0 : 1;
 }

@@ -48,7 +48,7 @@ static lkao_receiver foot_of_the_wall(void) {
   return receiver;
 }
 
-static lkao_bvh* build(void) {
+static lkao_bvh* build_bvh(void) {
   const lkao_mesh mesh = wall();
   lkao_build_options options = LKAO_BUILD_OPTIONS_INIT;
   lkao_build_report report = LKAO_BUILD_REPORT_INIT;
@@ -68,6 +68,43 @@ static lkao_bvh* build(void) {
   CHECK(origin[0] == 0);
   OK(lkao_choose_origin(&mesh, origin));
   return bvh;
+}
+
+/* The wall twice, of which one stands far away, in all the ways to make a scene. */
+static lkao_scene* make_scene(void) {
+  const lkao_mesh mesh = wall();
+  static const float far_away[12] = {1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 1000};
+  static const uint32_t second = 1;
+  lkao_bvh *bvh = build_bvh(), *same = NULL;
+  lkao_instance instances[2] = {LKAO_INSTANCE_INIT, LKAO_INSTANCE_INIT};
+  lkao_mesh_instance mesh_instance = LKAO_MESH_INSTANCE_INIT;
+  lkao_scene_report report = LKAO_SCENE_REPORT_INIT;
+  lkao_bounds bounds;
+  double origin[3] = {1, 1, 1};
+  lkao_scene* scene = NULL;
+  mesh_instance.mesh = &mesh;
+  OK(lkao_scene_create(&mesh, NULL, &scene));
+  OK(lkao_scene_destroy(scene));
+  OK(lkao_scene_create_of_bvh(bvh, &scene));
+  OK(lkao_scene_destroy(scene));
+  OK(lkao_scene_create_of_mesh_instances(&mesh_instance, 1, NULL, &scene));
+  OK(lkao_scene_destroy(scene));
+  OK(lkao_scene_create_of_instances((const lkao_bvh* const*)&bvh, 1, instances, 2, 0, &scene));
+  OK(lkao_scene_move(scene, &second, far_away, 0, 1, 0));
+  OK(lkao_scene_set_groups(scene, 1, 2));
+  OK(lkao_scene_set_mesh(scene, 0, bvh));
+  OK(lkao_scene_get_instance(scene, 1, &instances[1]));
+  CHECK(instances[1].to_world[11] == 1000 && instances[1].groups == 2);
+  OK(lkao_scene_get_report(scene, &report));
+  CHECK(report.mesh_count == 1 && report.instance_count == 2 && report.occluder_count == 8);
+  OK(lkao_scene_get_bounds(scene, &bounds));
+  CHECK(bounds.upper[2] >= 1005);
+  OK(lkao_scene_get_origin(scene, origin));
+  CHECK(origin[2] == 0);
+  OK(lkao_bvh_create_of_scene(scene, 0, &same));
+  OK(lkao_bvh_destroy(same));
+  OK(lkao_bvh_destroy(bvh));
+  return scene;
 }
 
 static lkao_pattern* make_pattern(void) {
@@ -157,29 +194,29 @@ static void check_answers(const lkao_ao* ao) {
   CHECK(occlusion == answer.occlusion && report.ray_count == 256);
 }
 
-static void check_queries(const lkao_bvh* bvh, const lkao_pattern* pattern) {
+static void check_queries(const lkao_scene* scene, const lkao_pattern* pattern) {
   lkao_table *exact = make_table(pattern, LKAO_MASKS_MUST_MAY), *same = NULL;
   lkao_ray_options options = LKAO_RAY_OPTIONS_INIT;
   lkao_level level = LKAO_LEVEL_INIT;
   lkao_ao* aos[3] = {NULL, NULL, NULL};
   lkao_pattern* of_ao = NULL;
-  lkao_bvh* bvh_of_ao = NULL;
+  lkao_scene* scene_of_ao = NULL;
   int i;
   OK(lkao_table_destroy(make_table(pattern, LKAO_MASKS_NEAREST)));
   options.radius = 2;
-  level.bvh = bvh;
+  level.scene = scene;
   level.r_max = INFINITY;
-  OK(lkao_ao_create(bvh, pattern, &options, LKAO_SIMD, &aos[0]));
+  OK(lkao_ao_create(scene, pattern, &options, LKAO_SIMD, &aos[0]));
   OK(lkao_ao_create_levels(&level, 1, pattern, &options, LKAO_SCALAR, &aos[1]));
-  OK(lkao_ao_create_by_table(bvh, exact, &options, LKAO_NODES_BOX_OUTLINE, &aos[2]));
+  OK(lkao_ao_create_by_table(scene, exact, &options, LKAO_NODES_BOX_OUTLINE, &aos[2]));
   for (i = 0; i < 3; ++i) check_answers(aos[i]);
   OK(lkao_ao_get_options(aos[0], &options));
   CHECK(options.radius == 2);
   OK(lkao_pattern_create_of_ao(aos[0], &of_ao));
-  OK(lkao_bvh_create_of_ao(aos[0], &bvh_of_ao));
+  OK(lkao_scene_create_of_ao(aos[0], &scene_of_ao));
   OK(lkao_table_create_of_ao(aos[2], &same));
   OK(lkao_pattern_destroy(of_ao));
-  OK(lkao_bvh_destroy(bvh_of_ao));
+  OK(lkao_scene_destroy(scene_of_ao));
   OK(lkao_table_destroy(same));
   OK(lkao_table_destroy(exact));
   for (i = 0; i < 3; ++i) OK(lkao_ao_destroy(aos[i]));
@@ -189,14 +226,14 @@ static void check_queries(const lkao_bvh* bvh, const lkao_pattern* pattern) {
 }
 
 int main(void) {
-  lkao_bvh* bvh = build();
+  lkao_scene* scene = make_scene();
   lkao_pattern* pattern = make_pattern();
   CHECK(strcmp(lkao_status_name(LKAO_ERROR_CANCELLED), "LKAO_ERROR_CANCELLED") == 0);
   CHECK(lkao_active_isa() != NULL && lkao_available_isa(0) != NULL);
   OK(lkao_force_isa(""));
   CHECK(lkao_version()[0] == '0' + LKAO_VERSION_MAJOR);
-  check_queries(bvh, pattern);
-  OK(lkao_bvh_destroy(bvh));
+  check_queries(scene, pattern);
+  OK(lkao_scene_destroy(scene));
   OK(lkao_pattern_destroy(pattern));
   CHECK(lkao_live_handle_count() == 0);
   return 0;

@@ -23,6 +23,7 @@ using Owned = std::unique_ptr<Handle, Destroyer<Handle, kDestroy>>;
 using OwnedPattern = Owned<lkao_pattern, lkao_pattern_destroy>;
 using OwnedTable = Owned<lkao_table, lkao_table_destroy>;
 using OwnedBvh = Owned<lkao_bvh, lkao_bvh_destroy>;
+using OwnedScene = Owned<lkao_scene, lkao_scene_destroy>;
 using OwnedAo = Owned<lkao_ao, lkao_ao_destroy>;
 using OwnedNeighbourhood = Owned<lkao_neighbourhood, lkao_neighbourhood_destroy>;
 
@@ -48,6 +49,11 @@ inline OwnedBvh c_bvh(const Mesh& mesh) {
   return made<OwnedBvh>(lkao_bvh_create, &view, nullptr);
 }
 
+inline OwnedScene c_scene(const Mesh& mesh) {
+  const lkao_mesh view = c_mesh(mesh);
+  return made<OwnedScene>(lkao_scene_create, &view, nullptr);
+}
+
 inline OwnedPattern c_pattern(int ray_count) {
   return made<OwnedPattern>(lkao_pattern_create_standard, ray_count, LKAO_COSINE);
 }
@@ -58,8 +64,8 @@ inline lkao_ray_options c_rays(float radius) {
   return options;
 }
 
-inline OwnedAo c_ao(const OwnedBvh& bvh, const OwnedPattern& pattern, const lkao_ray_options& options) {
-  return made<OwnedAo>(lkao_ao_create, bvh.get(), pattern.get(), &options, LKAO_SIMD);
+inline OwnedAo c_ao(const OwnedScene& scene, const OwnedPattern& pattern, const lkao_ray_options& options) {
+  return made<OwnedAo>(lkao_ao_create, scene.get(), pattern.get(), &options, LKAO_SIMD);
 }
 
 inline lkao_receiver c_receiver(const Receiver& from) {
@@ -70,6 +76,8 @@ inline lkao_receiver c_receiver(const Receiver& from) {
     result.geometric_normal[axis] = from.geometric_normal[axis];
   }
   result.excluded_primitive = from.excluded_primitive;
+  result.excluded_instance = from.excluded_instance;
+  result.occluder_groups = from.occluder_groups;
   return result;
 }
 

@@ -57,7 +57,7 @@ void expect_same_answers(const lkao_ao* actual, const AmbientOcclusion& expected
 
 TEST(CQuery, KernelsAnswerAsThoseOfCpp) {
   const Mesh mesh = random_soup(1000, 0.1f, 3);
-  const OwnedBvh bvh = c_bvh(mesh);
+  const OwnedScene scene = c_scene(mesh);
   const OwnedPattern pattern = c_pattern(100);
   lkao_ray_options options = c_rays(0.4f);
   options.sidedness = LKAO_ONE_SIDED, options.jitter_rotation = 0.5f, options.jitter_tilt = 0.02f;
@@ -70,14 +70,14 @@ TEST(CQuery, KernelsAnswerAsThoseOfCpp) {
                                .min_distance = 0.05f};
   const OccluderBvh occluders(mesh.view());
   for (const auto& [number, kernel] : {std::pair{LKAO_SIMD, Kernel::simd}, std::pair{LKAO_SCALAR, Kernel::scalar}}) {
-    const OwnedAo ao = made<OwnedAo>(lkao_ao_create, bvh.get(), pattern.get(), &options, number);
+    const OwnedAo ao = made<OwnedAo>(lkao_ao_create, scene.get(), pattern.get(), &options, number);
     expect_same_answers(ao.get(), AmbientOcclusion(occluders, SamplePattern::standard(100), cpp_options, kernel));
   }
 }
 
 TEST(CQuery, ByTableAnswersAsThatOfCpp) {
   const Mesh mesh = random_soup(300, 0.1f, 3);
-  const OwnedBvh bvh = c_bvh(mesh);
+  const OwnedScene scene = c_scene(mesh);
   lkao_table_options table_options = LKAO_TABLE_OPTIONS_INIT;
   table_options.resolution = 32, table_options.masks = LKAO_MASKS_NEAREST;
   const OwnedTable table = made<OwnedTable>(lkao_table_create, c_pattern(64).get(), &table_options);
@@ -85,7 +85,7 @@ TEST(CQuery, ByTableAnswersAsThatOfCpp) {
   const PlaneMaskTable cpp_table(SamplePattern::standard(64), {.resolution = 32, .masks = PlaneMasks::nearest});
   for (const auto& [number, node_masks] : {std::pair{LKAO_NODES_BOUNDING_SPHERE, NodeMasks::bounding_sphere},
                                            std::pair{LKAO_NODES_BOX_OUTLINE, NodeMasks::box_outline}}) {
-    const OwnedAo ao = made<OwnedAo>(lkao_ao_create_by_table, bvh.get(), table.get(), &options, number);
+    const OwnedAo ao = made<OwnedAo>(lkao_ao_create_by_table, scene.get(), table.get(), &options, number);
     expect_same_answers(ao.get(), AmbientOcclusion(OccluderBvh(mesh.view()), cpp_table, {.radius = 0.4f}, node_masks));
     lkao_table_options back = LKAO_TABLE_OPTIONS_INIT;
     EXPECT_EQ(lkao_table_get_options(made<OwnedTable>(lkao_table_create_of_ao, ao.get()).get(), &back), LKAO_OK);
@@ -95,10 +95,11 @@ TEST(CQuery, ByTableAnswersAsThatOfCpp) {
 
 TEST(CQuery, LevelsAnswerAsThoseOfCpp) {
   const Mesh fine = random_soup(1000, 0.1f, 3), coarse = random_soup(50, 0.3f, 4);
-  const OwnedBvh fine_bvh = c_bvh(fine), coarse_bvh = c_bvh(coarse);
+  const OwnedScene fine_scene = c_scene(fine), coarse_scene = c_scene(coarse);
   std::array<lkao_level, 2> levels{{LKAO_LEVEL_INIT, LKAO_LEVEL_INIT}};
-  levels[0].bvh = fine_bvh.get(), levels[0].r_max = 0.2f;
-  levels[1].bvh = coarse_bvh.get(), levels[1].r_min = 0.2f, levels[1].r_max = std::numeric_limits<float>::infinity();
+  levels[0].scene = fine_scene.get(), levels[0].r_max = 0.2f;
+  levels[1].scene = coarse_scene.get(), levels[1].r_min = 0.2f,
+  levels[1].r_max = std::numeric_limits<float>::infinity();
   const OwnedPattern pattern = c_pattern(64);
   const lkao_ray_options options = c_rays(1);
   const OwnedAo ao =
@@ -107,14 +108,14 @@ TEST(CQuery, LevelsAnswerAsThoseOfCpp) {
   expect_same_answers(ao.get(), AmbientOcclusion({{fine_occluders, 0, 0.2f}, {OccluderBvh(coarse.view()), 0.2f}},
                                                  SamplePattern::standard(64), {.radius = 1}));
   lkao_bounds bounds;
-  EXPECT_EQ(lkao_bvh_get_bounds(made<OwnedBvh>(lkao_bvh_create_of_ao, ao.get()).get(), &bounds), LKAO_OK);
+  EXPECT_EQ(lkao_scene_get_bounds(made<OwnedScene>(lkao_scene_create_of_ao, ao.get()).get(), &bounds), LKAO_OK);
   EXPECT_EQ(std::memcmp(&bounds, &fine_occluders.bounds(), sizeof(bounds)), 0);
 }
 
 TEST(CQuery, RaysAreThoseOfCpp) {
   const Mesh mesh = random_soup(100, 0.1f, 3);
   const lkao_ray_options options = c_rays(0.4f);
-  const OwnedAo ao = c_ao(c_bvh(mesh), c_pattern(70), options);
+  const OwnedAo ao = c_ao(c_scene(mesh), c_pattern(70), options);
   const AmbientOcclusion expected(OccluderBvh(mesh.view()), SamplePattern::standard(70), {.radius = 0.4f});
   for (const Receiver& from : receivers()) {
     const lkao_receiver receiver = c_receiver(from);
@@ -138,17 +139,17 @@ TEST(CQuery, RaysAreThoseOfCpp) {
 }
 
 TEST(CQuery, SaysWhatItIsMadeOf) {
-  const OwnedBvh bvh = c_bvh(closed_box());
+  const OwnedScene scene = c_scene(closed_box());
   lkao_ray_options options = c_rays(2);
   options.sidedness = LKAO_ONE_SIDED, options.jitter_tilt = 0.1f, options.seed = 5, options.min_distance = 0.5f;
-  const OwnedAo ao = c_ao(bvh, c_pattern(70), options);
+  const OwnedAo ao = c_ao(scene, c_pattern(70), options);
   lkao_ray_options back = LKAO_RAY_OPTIONS_INIT;
   ASSERT_EQ(lkao_ao_get_options(ao.get(), &back), LKAO_OK);
   EXPECT_EQ(std::memcmp(&back, &options, sizeof(back)), 0);
   EXPECT_EQ(lkao_pattern_ray_count(made<OwnedPattern>(lkao_pattern_create_of_ao, ao.get()).get()), 70);
-  lkao_build_report report = LKAO_BUILD_REPORT_INIT;
-  EXPECT_EQ(lkao_bvh_get_report(made<OwnedBvh>(lkao_bvh_create_of_ao, ao.get()).get(), &report), LKAO_OK);
-  EXPECT_EQ(report.triangle_count, 12u);
+  lkao_scene_report report = LKAO_SCENE_REPORT_INIT;
+  EXPECT_EQ(lkao_scene_get_report(made<OwnedScene>(lkao_scene_create_of_ao, ao.get()).get(), &report), LKAO_OK);
+  EXPECT_EQ(report.occluder_count, 12u);
   lkao_table* table = nullptr;
   EXPECT_EQ(lkao_table_create_of_ao(ao.get(), &table), LKAO_ERROR_INVALID_ARGUMENT);
   EXPECT_STREQ(lkao_last_error(),
@@ -159,7 +160,7 @@ TEST(CQuery, KeepsWhatItWasMadeOf) {
   OwnedAo ao;
   {
     const Mesh mesh = closed_box();
-    ao = c_ao(c_bvh(mesh), c_pattern(64), c_rays(5));
+    ao = c_ao(c_scene(mesh), c_pattern(64), c_rays(5));
   }
   const lkao_bounds box{{0, 0, 0}, {0, 0, 0}};
   const OwnedNeighbourhood near = made<OwnedNeighbourhood>(lkao_neighbourhood_create, ao.get(), &box);

@@ -1,8 +1,8 @@
 // The query: which shadow rays of a receiver are blocked (lkao::AmbientOcclusion).
 #pragma once
 
-#include "lkao/c/bvh.h"
 #include "lkao/c/pattern.h"
+#include "lkao/c/scene.h"
 #include "lkao/c/status.h"
 #include "lkao/c/table.h"
 
@@ -48,7 +48,7 @@ typedef struct lkao_ray_options {
 // Occluders that block rays only where their distance is in [r_min, r_max]: a level of detail.
 typedef struct lkao_level {
   size_t size;
-  const lkao_bvh* bvh;
+  const lkao_scene* scene;
   float r_min;
   float r_max;
 } lkao_level;
@@ -63,9 +63,14 @@ typedef struct lkao_receiver {
   float normal[3];              // the axis of the sample pattern, of any length
   float geometric_normal[3];    // rays below its horizon are not cast; zero: the same as `normal`
   uint32_t excluded_primitive;  // cannot block this receiver's rays; LKAO_NO_PRIMITIVE: none
+  uint32_t excluded_instance;   // whose primitive that is
+  uint32_t occluder_groups;     // only instances that share a group with it block its rays
 } lkao_receiver;
-#define LKAO_RECEIVER_INIT \
-  { sizeof(lkao_receiver), {0.0f, 0.0f, 0.0f}, {0.0f, 0.0f, 0.0f}, {0.0f, 0.0f, 0.0f}, LKAO_NO_PRIMITIVE }
+#define LKAO_RECEIVER_INIT                                                                                   \
+  {                                                                                                          \
+    sizeof(lkao_receiver), {0.0f, 0.0f, 0.0f}, {0.0f, 0.0f, 0.0f}, {0.0f, 0.0f, 0.0f}, LKAO_NO_PRIMITIVE, 0, \
+        LKAO_ALL_GROUPS                                                                                      \
+  }
 
 typedef struct lkao_answer {
   size_t size;
@@ -91,13 +96,13 @@ typedef struct lkao_rays {
 #define LKAO_RAYS_INIT \
   { sizeof(lkao_rays), {0.0f, 0.0f, 0.0f}, {0.0f}, {0.0f, 0.0f, 0.0f}, {0}, 0.0f, 0 }
 
-LKAO_C_API lkao_status lkao_ao_create(const lkao_bvh* bvh, const lkao_pattern* pattern, const lkao_ray_options* options,
-                                      lkao_kernel kernel, lkao_ao** ao);
+LKAO_C_API lkao_status lkao_ao_create(const lkao_scene* scene, const lkao_pattern* pattern,
+                                      const lkao_ray_options* options, lkao_kernel kernel, lkao_ao** ao);
 // Several levels of detail, near ones first is fastest. They are an array of structs of levels[0].size bytes each.
 LKAO_C_API lkao_status lkao_ao_create_levels(const lkao_level* levels, size_t level_count, const lkao_pattern* pattern,
                                              const lkao_ray_options* options, lkao_kernel kernel, lkao_ao** ao);
 // By the paper's look-ups instead of ray by ray; the pattern is the table's.
-LKAO_C_API lkao_status lkao_ao_create_by_table(const lkao_bvh* bvh, const lkao_table* table,
+LKAO_C_API lkao_status lkao_ao_create_by_table(const lkao_scene* scene, const lkao_table* table,
                                                const lkao_ray_options* options, lkao_node_masks node_masks,
                                                lkao_ao** ao);
 LKAO_C_API lkao_status lkao_ao_destroy(lkao_ao* ao);
@@ -118,9 +123,9 @@ LKAO_C_API lkao_status lkao_ao_get_rays(const lkao_ao* ao, const lkao_receiver* 
                                         lkao_rays* rays, float* segments, size_t segment_stride);
 
 LKAO_C_API lkao_status lkao_ao_get_options(const lkao_ao* ao, lkao_ray_options* options);
-// New handles of what it was made of. Of levels, the bvh is the first one's; by look-ups alone there is a table.
+// New handles of what it was made of. Of levels, the scene is the first one's; by look-ups alone there is a table.
 LKAO_C_API lkao_status lkao_pattern_create_of_ao(const lkao_ao* ao, lkao_pattern** pattern);
-LKAO_C_API lkao_status lkao_bvh_create_of_ao(const lkao_ao* ao, lkao_bvh** bvh);
+LKAO_C_API lkao_status lkao_scene_create_of_ao(const lkao_ao* ao, lkao_scene** scene);
 LKAO_C_API lkao_status lkao_table_create_of_ao(const lkao_ao* ao, lkao_table** table);
 
 #ifdef __cplusplus

@@ -20,9 +20,13 @@ typedef struct lkao_receivers {
   size_t geometric_normal_stride;
   const uint32_t* excluded_primitives;  // one each; NULL: none
   size_t excluded_primitive_stride;
+  const uint32_t* excluded_instances;  // one each; NULL: 0
+  size_t excluded_instance_stride;
+  const uint32_t* occluder_groups;  // one each; NULL: LKAO_ALL_GROUPS
+  size_t occluder_group_stride;
 } lkao_receivers;
 #define LKAO_RECEIVERS_INIT \
-  { sizeof(lkao_receivers), 0, NULL, 0, NULL, 0, NULL, 0, NULL, 0 }
+  { sizeof(lkao_receivers), 0, NULL, 0, NULL, 0, NULL, 0, NULL, 0, NULL, 0, NULL, 0 }
 
 // Where the answers go: arrays with an entry for each receiver, or NULL where one is not wanted. They may lie between
 // other data of the caller, which stays, but must not overlap each other.

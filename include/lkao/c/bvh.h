@@ -44,12 +44,13 @@ typedef struct lkao_bounds {
 typedef struct lkao_build_options {
   size_t size;
   int32_t spatial_splits;  // 0 or 1: cut long triangles; faster queries, 3 to 6 times as long to build
+  int32_t keep_zero_area;  // 0 or 1: keep triangles without area, for a mesh that shall stand elsewhere (lkao_scene)
   int32_t thread_count;    // 0: as many as oneTBB gives the calling thread; never more than it has
   lkao_progress progress;  // NULL: none
   void* progress_user;
 } lkao_build_options;
 #define LKAO_BUILD_OPTIONS_INIT \
-  { sizeof(lkao_build_options), 1, 0, NULL, NULL }
+  { sizeof(lkao_build_options), 1, 0, 0, NULL, NULL }
 
 // What the build found and made. Every triangle of the mesh is an occluder or counted as dropped.
 typedef struct lkao_build_report {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "lkao/c/ao.h"
-#include "lkao/c/bvh.h"
 #include "lkao/c/status.h"
 
 #ifdef __cplusplus

@@ -63,13 +63,13 @@ int main(void) {
     mesh.indices = triangles, mesh.triangle_count = 4;
     lkao_ray_options rays = LKAO_RAY_OPTIONS_INIT;
     rays.radius = 2;
-    lkao_bvh* bvh = NULL;
+    lkao_scene* scene = NULL;
     lkao_pattern* pattern = NULL;
-    if (lkao_bvh_create(&mesh, NULL, &bvh) == LKAO_OK &&
+    if (lkao_scene_create(&mesh, NULL, &scene) == LKAO_OK &&
         lkao_pattern_create_standard(256, LKAO_COSINE, &pattern) == LKAO_OK) {
-      lkao_ao_create(bvh, pattern, &rays, LKAO_SIMD, &ao);
+      lkao_ao_create(scene, pattern, &rays, LKAO_SIMD, &ao);
     }
-    lkao_bvh_destroy(bvh);
+    lkao_scene_destroy(scene);
     lkao_pattern_destroy(pattern);
   }
   if (shade(ao, &point) || shade_tile(ao, &box, &of_tile, 1) || bake(ao, &point, 1, &texel)) {

@@ -85,17 +85,17 @@ static int trace_tile(int left, int top, int tile, Point* points) {
 static lkao_ao* make_ao(void) {
   lkao_mesh mesh = LKAO_MESH_INIT;                                                                // lkao
   lkao_ray_options rays = LKAO_RAY_OPTIONS_INIT;                                                  // lkao
-  lkao_bvh* bvh = NULL;                                                                           // lkao
+  lkao_scene* scene = NULL;                                                                       // lkao
   lkao_pattern* pattern = NULL;                                                                   // lkao
   lkao_ao* ao = NULL;                                                                             // lkao
   mesh.positions = vertices, mesh.position_count = 8 * BOX_COUNT;                                 // lkao
   mesh.indices = triangles, mesh.triangle_count = 12 * BOX_COUNT, mesh.index_type = LKAO_UINT16;  // lkao
   rays.radius = 2;                                                                                // lkao
-  if (lkao_bvh_create(&mesh, NULL, &bvh) == LKAO_OK &&                                            // lkao
+  if (lkao_scene_create(&mesh, NULL, &scene) == LKAO_OK &&                                        // lkao
       lkao_pattern_create_standard(128, LKAO_COSINE, &pattern) == LKAO_OK) {                      // lkao
-    lkao_ao_create(bvh, pattern, &rays, LKAO_SIMD, &ao);                                          // lkao
+    lkao_ao_create(scene, pattern, &rays, LKAO_SIMD, &ao);                                        // lkao
   }
-  lkao_bvh_destroy(bvh);          // lkao
+  lkao_scene_destroy(scene);      // lkao
   lkao_pattern_destroy(pattern);  // lkao
   return ao;
 }
