@@ -12,15 +12,19 @@
 
 namespace lkao::bench {
 
-std::vector<float> cast_rays(const StudyScene& scene, float radius, const Falloff& falloff, int turn_count,
-                             int first_turn) {
+std::vector<float> cast_rays(const StudyScene& scene, float radius, const Falloff& falloff, int turn_count) {
   const OccluderBvh bvh({scene.mesh.positions, scene.mesh.triangles});
-  const SamplePattern pattern = SamplePattern::standard(kMaxRayCount).with_falloff(falloff);
-  std::vector<float> occlusion(scene.view.receivers.size());
+  return cast_rays({{bvh}}, scene.view.receivers, radius, SamplePattern::standard(kMaxRayCount).with_falloff(falloff),
+                   turn_count, 0);
+}
+
+std::vector<float> cast_rays(const std::vector<OccluderLevel>& occluders, std::span<const Receiver> receivers,
+                             float radius, const SamplePattern& pattern, int turn_count, int first_turn) {
+  std::vector<float> occlusion(receivers.size());
   std::vector<double> sum(occlusion.size());
   for (int turn = 0; turn < turn_count; ++turn) {
     const RayOptions options{.radius = radius, .seed = static_cast<std::uint64_t>(first_turn + turn)};
-    AmbientOcclusion(bvh, pattern, options).query(scene.view.receivers, {.occlusion = occlusion});
+    AmbientOcclusion(occluders, pattern, options).query(receivers, {.occlusion = occlusion});
     for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += static_cast<double>(occlusion[i]);
   }
   std::transform(sum.begin(), sum.end(), occlusion.begin(),

@@ -1,6 +1,7 @@
 // A method that draws the pixels of a view, against many rays.
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -9,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "bench/study_scenes.h"
+#include "lkao/ambient_occlusion.h"
 #include "lkao/sample_pattern.h"
 #include "method/deviation.h"
 #include "method/method.h"
@@ -17,8 +19,10 @@ namespace lkao::bench {
 
 // What every pixel of the view should be: `turn_count` times 1024 rays, by the query; other turns are other rays. NaN
 // where there is no receiver.
-std::vector<float> cast_rays(const StudyScene& scene, float radius, const Falloff& falloff, int turn_count,
-                             int first_turn = 0);
+std::vector<float> cast_rays(const StudyScene& scene, float radius, const Falloff& falloff, int turn_count);
+// The same of any pattern, among hierarchies that are there already; turns from `first_turn` on.
+std::vector<float> cast_rays(const std::vector<OccluderLevel>& occluders, std::span<const Receiver> receivers,
+                             float radius, const SamplePattern& pattern, int turn_count, int first_turn);
 
 // Of pixels with a receiver.
 double mean_of(const std::vector<float>& occlusion);

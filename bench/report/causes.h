@@ -12,7 +12,10 @@
 
 namespace lkao::bench {
 
-// The picture of a contestant, or of "rays"; none where it took no part.
+// What converged rays are called among pictures: "rays", or with a falloff of its own.
+std::string rays_of(OwnFalloff falloff);
+
+// The picture of a contestant, or of rays_of() some falloff; none where it took no part.
 using FindPicture = std::function<std::optional<std::vector<float>>(const std::string& name)>;
 
 // [{cause, from, to, rmse, bias}]: what changes from one to the other.

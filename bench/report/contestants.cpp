@@ -82,12 +82,29 @@ void add_rays(std::vector<Contestant>& all) {
   for (const float k : {1.5f, 3.0f}) all.push_back(levels("bvh", k, 1, k == 3));
 }
 
-void add_screen(std::vector<Contestant>& all, Family family, const char* method) {
+void add_screen(std::vector<Contestant>& all, Family family, const char* method,
+                OwnFalloff falloff = OwnFalloff::constant) {
+  const std::size_t first = all.size();
   all.push_back(drawn(family, method, "", {}, true));
   all.push_back(drawn(family, method, "no filter", {{"filter", "0"}}, true));
   all.push_back(drawn(family, method, "converged", {{"converged", "on"}}, true));
   all.push_back(drawn(family, method, "half resolution", {{"step", "2"}}, false));
   all.push_back(drawn(family, method, "guard band", {{"guard-band", "64"}}, false));
+  for (std::size_t i = first; i < all.size(); ++i) all[i].falloff = falloff;
+}
+
+// Table 1 of Alchemy: its times are those of obscurance and filter, one by one.
+void add_alchemy_settings(std::vector<Contestant>& all) {
+  for (const AlchemyColumn& column : kAlchemyColumns) {
+    for (const bool is_filtered : {false, true}) {
+      const ChangedSettings settings = {{"alchemy-samples", std::to_string(column.samples)},
+                                        {"alchemy-bands", std::to_string(column.bands)},
+                                        {"filter", std::to_string(is_filtered ? column.filter_width / 2 : 0)}};
+      all.push_back(drawn(Family::alchemy, "alchemy", column.name(is_filtered), settings, false));
+      all.back().falloff = OwnFalloff::alchemy;
+      all.back().is_for_paper = true;
+    }
+  }
 }
 
 // Table 1 of VAO++.
@@ -103,6 +120,8 @@ void add_vao_optimisations(std::vector<Contestant>& all) {
       changed.emplace_back("vao-samples", std::to_string(samples));
       changed.emplace_back("filter", "0");
       all.push_back(drawn(Family::vao, "vao", fmt::format("{} samples, {}", samples, what), changed, false));
+      all.back().falloff = OwnFalloff::ball;
+      all.back().is_for_paper = true;
     }
   }
 }
@@ -114,19 +133,27 @@ void add_drawn(std::vector<Contestant>& all) {
   for (const char* delta : {"0.4", "0.6", "1"}) {
     Contestant volumes =
         drawn(Family::volumes, "volumes", fmt::format("delta {}", delta), {{"delta", delta}}, *delta == '0');
-    volumes.has_linear_falloff = true;
+    volumes.falloff = OwnFalloff::linear;
     all.push_back(volumes);
   }
   all.push_back(drawn(Family::splats, "splat", "both halves", {}, true));
   all.push_back(drawn(Family::splats, "splat", "far half", {{"halves", "far"}}, false));
-  add_screen(all, Family::alchemy, "alchemy");
-  add_screen(all, Family::vao, "vao");
+  add_screen(all, Family::alchemy, "alchemy", OwnFalloff::alchemy);
+  add_alchemy_settings(all);
+  add_screen(all, Family::vao, "vao", OwnFalloff::ball);
   add_vao_optimisations(all);
   add_screen(all, Family::gtao, "gtao");
   add_screen(all, Family::vbao, "vbao");
+  all.push_back(drawn(Family::vbao, "vbao", "linear falloff", {}, false));
+  all.back().falloff = OwnFalloff::linear;
 }
 
 }  // namespace
+
+std::string AlchemyColumn::name(bool is_filtered) const {
+  return fmt::format("{} x {} samples, {}", samples, bands,
+                     is_filtered ? fmt::format("filter of {}", filter_width) : "no filter");
+}
 
 std::vector<Contestant> all_contestants(bool has_gl) {
   std::vector<Contestant> all;
@@ -141,7 +168,7 @@ std::string Contestant::command(const std::string& scene, float radius) const {
   std::string text =
       fmt::format("lkao render {} --radius {:g} --method {} --samples {}", scene, radius, method, ray_count);
   for (const auto& [option, value] : settings) text += fmt::format(" --{} {}", option, value);
-  if (has_linear_falloff) text += " --falloff linear";
+  if (falloff == OwnFalloff::linear) text += " --falloff linear";
   if (levels) text += fmt::format(" --lod k={:g}", levels->k);
   return text + " -o ao.exr";
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -12,14 +13,13 @@
 
 #include <fmt/format.h>
 
+#include "image/one_line.h"
 #include "lod/simplify.h"
-#include "method/answers.h"
 #include "method/list.h"
 #include "method/median.h"
 #include "method/occluders.h"
 #include "method/stopwatch.h"
 #include "reference/embree_reference.h"
-#include "reference/embree_scene.h"
 
 namespace lkao::bench {
 namespace {
@@ -35,9 +35,16 @@ struct Frame {
 
 // A frame that takes longer is measured once: it does not depend on what was a moment before.
 constexpr double kLongSeconds = 2;
+// An answer of what draws is several frames, of so many seconds together (method/frame.h).
+constexpr double kDrawnSeconds = 1;
+constexpr int kDrawnCount = 5;
 
-// Answers all pixels once.
-using Answer = std::function<void(Frame&)>;
+// How many times as long a frame of twice the width takes at most: four times the pixels, each of which looks at twice
+// as many.
+constexpr double kMostGrowth = 8;
+
+// Answers all pixels of a view once: the subject's, or the same in fewer pixels.
+using Answer = std::function<void(const StudyScene&, Frame&)>;
 
 // Masks of the pixels that see something, as a picture.
 std::vector<float> picture_of(const Masks& masks, const SamplePattern& pattern, const scene::ReceiverImage& view) {
@@ -70,48 +77,69 @@ std::vector<float> mismatches(const Masks& masks, const Masks& expected, const s
   return counts;
 }
 
+// Of a view whose frames may be so short that what else goes on is most of their time.
+double shortest(const Answer& answer, const StudyScene& seen) {
+  constexpr int kMaxCount = 3;
+  constexpr double kEnoughSeconds = 0.1;
+  Frame frame;
+  const method::Stopwatch watch;
+  answer(seen, frame);
+  double least = frame.seconds;
+  for (int i = 1; i < kMaxCount && watch.seconds() < kEnoughSeconds; ++i) {
+    answer(seen, frame);
+    least = std::min(least, frame.seconds);
+  }
+  return least;
+}
+
 }  // namespace
 
 struct Measurer::State {
+  PreparedScene& scene;
   const Subject& subject;
   int round_count;
-  method::Occluders occluders;
-  std::optional<reference::EmbreeReference> oracle;
-  std::optional<reference::EmbreeScene> rival;
-  Masks expected;  // by robust Embree, of the last question
-  std::string expected_name;
-  std::map<std::pair<float, float>, lod::Chain> chains;
-  std::optional<EmbreeMode> fastest;
-  std::unique_ptr<method::Method> yardstick;  // the query with 128 rays
+  std::map<std::string, Masks> expected = {};  // by robust Embree, by question
+  std::map<std::pair<float, float>, lod::Chain> chains = {};
+  std::optional<EmbreeMode> fastest = {};
+  std::unique_ptr<method::Method> yardstick = {};  // the query with 128 rays
 
-  std::span<const Receiver> pixels() const { return subject.scene.view.receivers; }
-  // Embree's modes know nothing of pixels that see nothing.
-  std::span<const Receiver> receivers_of(const Contestant& contestant) const {
-    return contestant.is_embree_mode() ? std::span<const Receiver>(subject.scene.receivers) : pixels();
-  }
+  // One that was opened, and what it stands on.
+  struct Opened {
+    std::optional<method::Occluders> simplified;
+    std::unique_ptr<method::Method> method;  // none: a mode of Embree
+    Answer answer;
+    Timed timed;  // what is known before a frame is
+  };
+
   method::Question question_of(const Contestant& contestant) const;
-  std::unique_ptr<method::Method> open(const Contestant& contestant, method::Occluders& from) const;
+  std::unique_ptr<method::Method> open_method(const Contestant& contestant, method::Occluders& from) const;
+  void open(const Contestant& contestant, Opened& opened);
   const lod::Chain& chain_of(const ReportLevels& levels);
   const Masks& expected_of(const Contestant& contestant);
   Answer answer_by_embree(const Contestant& contestant);
-  Answer answer_by(method::Method& method, int word_count) const;
+  Answer answer_by(method::Method& method, method::Occluders& from, const Contestant& contestant) const;
   const EmbreeMode& best_embree();
-  Timed run(const Contestant& contestant, Frame& frame);
+  std::optional<Estimate> longer_than(double allowed, const Opened& opened, double setup_seconds);
+  std::variant<Timed, Estimate> run(const Contestant& contestant, double allowed, Frame& frame);
+  std::variant<Timed, Estimate> ask(const Contestant& contestant, double allowed, Frame& frame);
   double seconds_of_yardstick();
 };
 
 method::Question Measurer::State::question_of(const Contestant& contestant) const {
-  method::Question question{.radius = subject.radius,
-                            .ray_count = contestant.ray_count,
-                            .pattern_kind = contestant.pattern,
-                            .falloff = contestant.has_linear_falloff ? Falloff::linear() : Falloff::constant()};
+  method::Question question{
+      .radius = subject.radius,
+      .ray_count = contestant.ray_count,
+      .pattern_kind = contestant.pattern,
+      .falloff = contestant.falloff == OwnFalloff::linear ? Falloff::linear() : Falloff::constant()};
   if (contestant.table_resolution != 0) question.table_resolution = contestant.table_resolution;
   return question;
 }
 
-std::unique_ptr<method::Method> Measurer::State::open(const Contestant& contestant, method::Occluders& from) const {
+// That takes any receivers is prepared at once; the others are for each view.
+std::unique_ptr<method::Method> Measurer::State::open_method(const Contestant& contestant,
+                                                             method::Occluders& from) const {
   auto opened = method::method_named(contestant.method).open(settings_of(contestant.method, contestant.settings, {}));
-  opened->prepare({from, question_of(contestant), method::View{subject.scene.camera, subject.scene.view}});
+  if (opened->abilities().any_receivers) opened->prepare({from, question_of(contestant)});
   return opened;
 }
 
@@ -127,16 +155,18 @@ const lod::Chain& Measurer::State::chain_of(const ReportLevels& levels) {
 
 const Masks& Measurer::State::expected_of(const Contestant& contestant) {
   const method::Question question = question_of(contestant);
+  // Embree's modes know nothing of pixels that see nothing, and so number the others otherwise.
+  const std::vector<Receiver>& pixels = subject.scene.view.receivers;
+  const bool are_seen = contestant.is_embree_mode() && subject.scene.receivers.size() != pixels.size();
   const std::string name = fmt::format("{} {} {} {}", question.ray_count, pattern_kind_name(question.pattern_kind),
-                                       question.falloff.name(), contestant.is_embree_mode());
-  if (name == expected_name) return expected;
-  const AmbientOcclusion query(occluders.hierarchies(), question.pattern(), question.ray_options());
-  const std::span<const Receiver> receivers = receivers_of(contestant);
-  expected.resize(receivers.size() * static_cast<std::size_t>(query.pattern().word_count()));
-  if (!oracle) oracle.emplace(subject.scene.mesh);
-  oracle->query(query, receivers, {.mask_words = expected});
-  expected_name = name;
-  return expected;
+                                       question.falloff.name(), are_seen);
+  const auto [known, is_new] = expected.try_emplace(name);
+  if (!is_new) return known->second;
+  const AmbientOcclusion query(scene.occluders.hierarchies(), question.pattern(), question.ray_options());
+  const std::vector<Receiver>& receivers = are_seen ? subject.scene.receivers : pixels;
+  known->second.resize(receivers.size() * static_cast<std::size_t>(query.pattern().word_count()));
+  scene.oracle().query(query, receivers, {.mask_words = known->second});
+  return known->second;
 }
 
 // With 128 rays, of which the caches have what they need the second time.
@@ -146,8 +176,8 @@ const EmbreeMode& Measurer::State::best_embree() {
   for (const EmbreeMode& mode : all_embree_modes()) {
     const Answer answer = answer_by_embree({.name = "", .method = "embree", .embree = mode});
     Frame frame;
-    answer(frame);
-    answer(frame);
+    answer(subject.scene, frame);
+    answer(subject.scene, frame);
     if (frame.seconds >= least) continue;
     least = frame.seconds;
     fastest = mode;
@@ -156,85 +186,142 @@ const EmbreeMode& Measurer::State::best_embree() {
 }
 
 Answer Measurer::State::answer_by_embree(const Contestant& contestant) {
-  if (!rival) rival.emplace(subject.scene.mesh.view(), false);
   const method::Question question = question_of(contestant);
   const auto query =
-      std::make_shared<AmbientOcclusion>(occluders.hierarchies(), question.pattern(), question.ray_options());
-  return [this, query, mode = contestant.embree ? *contestant.embree : best_embree()](Frame& frame) {
-    const std::vector<Receiver>& receivers = subject.scene.receivers;
-    frame.masks.resize(receivers.size() * static_cast<std::size_t>(query->pattern().word_count()));
+      std::make_shared<AmbientOcclusion>(scene.occluders.hierarchies(), question.pattern(), question.ray_options());
+  const RTCScene embree = scene.rival().plain();
+  return [embree, query, mode = contestant.embree ? *contestant.embree : best_embree()](const StudyScene& seen,
+                                                                                        Frame& frame) {
+    frame.masks.resize(seen.receivers.size() * static_cast<std::size_t>(query->pattern().word_count()));
     const method::Stopwatch watch;
-    cast(mode, rival->plain(), *query, receivers, frame.masks);
+    cast(mode, embree, *query, seen.receivers, frame.masks);
     frame.seconds = watch.seconds();
-    frame.occlusion = picture_of(frame.masks, query->pattern(), subject.scene.view);
+    frame.occlusion = picture_of(frame.masks, query->pattern(), seen.view);
   };
 }
 
-Answer Measurer::State::answer_by(method::Method& method, int word_count) const {
-  const std::size_t mask_size = method.abilities().masks ? pixels().size() * static_cast<std::size_t>(word_count) : 0;
-  return [this, &method, mask_size](Frame& frame) {
-    frame.occlusion.resize(pixels().size());
-    frame.masks.resize(mask_size);
-    frame.seconds = method.answer(pixels(), {.occlusion = frame.occlusion, .mask_words = frame.masks}, 0).seconds;
+Answer Measurer::State::answer_by(method::Method& method, method::Occluders& from, const Contestant& contestant) const {
+  const auto word_count =
+      method.abilities().masks ? static_cast<std::size_t>(word_count_of(contestant.ray_count)) : std::size_t{0};
+  return [&method, &from, word_count, question = question_of(contestant),
+          prepared = static_cast<const StudyScene*>(nullptr)](const StudyScene& seen, Frame& frame) mutable {
+    if (!method.abilities().any_receivers && prepared != &seen) {
+      method.prepare({from, question, method::View{seen.camera, seen.view}});
+    }
+    prepared = &seen;
+    const std::vector<Receiver>& pixels = seen.view.receivers;
+    frame.occlusion.resize(pixels.size());
+    frame.masks.resize(pixels.size() * word_count);
+    frame.seconds = method.answer(pixels, {.occlusion = frame.occlusion, .mask_words = frame.masks}, 0).seconds;
   };
 }
 
 double Measurer::State::seconds_of_yardstick() {
-  std::vector<float> occlusion(pixels().size());
-  return yardstick->answer(pixels(), {.occlusion = occlusion}, 0).seconds;
+  const std::vector<Receiver>& pixels = subject.scene.view.receivers;
+  std::vector<float> occlusion(pixels.size());
+  return yardstick->answer(pixels, {.occlusion = occlusion}, 0).seconds;
 }
 
-Measurer::Measurer(const Subject& subject, int round_count)
-    : state_(new State{subject, round_count, method::Occluders(subject.scene.mesh), {}, {}, {}, {}, {}, {}, nullptr}) {
-  state_->yardstick = state_->open({.name = "", .method = "bvh"}, state_->occluders);
+Measurer::Measurer(PreparedScene& scene, const Subject& subject, int round_count)
+    : state_(new State{.scene = scene, .subject = subject, .round_count = round_count}) {
+  state_->yardstick = state_->open_method({.name = "", .method = "bvh"}, scene.occluders);
 }
 
 Measurer::~Measurer() = default;
 
-// Opened, or made of what Embree has, and asked in rounds.
-Timed Measurer::State::run(const Contestant& contestant, Frame& frame) {
-  Timed timed;
-  std::unique_ptr<method::Method> opened;
-  std::optional<method::Occluders> simplified;
-  Answer answer;
+// Opened, or made of what Embree has.
+void Measurer::State::open(const Contestant& contestant, Opened& opened) {
   if (contestant.is_embree_mode()) {
-    answer = answer_by_embree(contestant);
-    timed.mode = (contestant.embree ? *contestant.embree : best_embree()).name();
-  } else {
-    if (contestant.levels) simplified.emplace(subject.scene.mesh, chain_of(*contestant.levels), subject.radius);
-    opened = open(contestant, simplified ? *simplified : occluders);
-    answer = answer_by(*opened, word_count_of(contestant.ray_count));
-    timed.device = opened->device();
+    opened.answer = answer_by_embree(contestant);
+    opened.timed.mode = (contestant.embree ? *contestant.embree : best_embree()).name();
+    return;
+  }
+  if (contestant.levels) {
+    opened.simplified.emplace(scene.scene.mesh, chain_of(*contestant.levels), subject.radius);
+  }
+  method::Occluders& from = opened.simplified ? *opened.simplified : scene.occluders;
+  opened.method = open_method(contestant, from);
+  opened.answer = answer_by(*opened.method, from, contestant);
+  opened.timed.device = opened.method->device();
+}
+
+// None where it takes no longer. Some frames take a time for each triangle and one for each pixel, others, which look
+// at all pixels around each, one that grows with a power of the pixels. The larger of both counts.
+std::optional<Estimate> Measurer::State::longer_than(double allowed, const Opened& opened, double setup_seconds) {
+  const bool draws = !opened.timed.device.empty();
+  // Of all that is measured, where a frame takes so long.
+  const auto cost = [&](double frame) {
+    if (frame > kLongSeconds) return setup_seconds + 1.5 * frame;
+    const double answer = draws ? std::min(kDrawnCount * frame, kDrawnSeconds + frame) : frame;
+    return setup_seconds + (1 + round_count) * answer;
+  };
+  double seconds[2];
+  for (int i = 0; i < 2; ++i) {
+    const StudyScene& small = scene.shrunk(i == 0 ? 8 : 4);
+    const method::Stopwatch watch;
+    seconds[i] = shortest(opened.answer, small);
+    if (i == 0) setup_seconds += std::max(0.0, watch.seconds() - seconds[i]);
+    // Not even where the time follows the pixels' number times the width; or so long that no more is tried.
+    if (i == 0 && cost(kMostGrowth * kMostGrowth * kMostGrowth * seconds[0]) <= allowed) return std::nullopt;
+    if (i == 0 && cost(2 * seconds[0]) > allowed) return Estimate{cost(64 * seconds[0])};
+  }
+  // A quarter of the width has 4, all of it 64 times the pixels of an eighth.
+  const double for_pixels = std::max(0.0, seconds[1] - seconds[0]) / 3;  // of an eighth
+  const double linear = seconds[1] + 60 * for_pixels;
+  const double power = seconds[1] * std::pow(std::clamp(seconds[1] / seconds[0], 1.0, kMostGrowth), 2);
+  const Estimate estimate{cost(std::max(linear, power))};
+  return estimate.seconds > allowed ? std::optional(estimate) : std::nullopt;
+}
+
+std::variant<Timed, Estimate> Measurer::State::run(const Contestant& contestant, double allowed, Frame& frame) {
+  try {
+    return ask(contestant, allowed, frame);
+  } catch (const std::exception& error) {
+    throw CannotAnswer(image::one_line(error.what()));
+  }
+}
+
+// In rounds.
+std::variant<Timed, Estimate> Measurer::State::ask(const Contestant& contestant, double allowed, Frame& frame) {
+  const method::Stopwatch watch;
+  Opened opened;
+  open(contestant, opened);
+  if (std::isfinite(allowed)) {
+    if (const auto estimate = longer_than(allowed, opened, watch.seconds())) return *estimate;
   }
   std::vector<double> seconds, ratios;
-  answer(frame);  // once for the caches
-  const int rounds = frame.seconds > kLongSeconds ? 1 : round_count;
-  for (int round = 0; round < rounds; ++round) {
+  opened.answer(subject.scene, frame);  // once for the caches
+  const bool is_long = frame.seconds > kLongSeconds;
+  for (int round = 0; round < (is_long ? 1 : round_count); ++round) {
     const double of_yardstick = seconds_of_yardstick();
-    answer(frame);
+    if (!is_long) opened.answer(subject.scene, frame);
     seconds.push_back(frame.seconds);
     ratios.push_back(frame.seconds / of_yardstick);
   }
-  timed.seconds = method::median(seconds);
-  timed.query_ratio = method::median(ratios);
-  if (opened) timed.keys = opened->remarks().keys;
-  return timed;
+  opened.timed.seconds = method::median(seconds);
+  opened.timed.query_ratio = method::median(ratios);
+  if (opened.method) opened.timed.keys = opened.method->remarks().keys;
+  return opened.timed;
 }
 
-Timed Measurer::time(const Contestant& contestant) {
+std::variant<Timed, Estimate> Measurer::time(const Contestant& contestant, double allowed) {
   Frame frame;
-  return state_->run(contestant, frame);
+  return state_->run(contestant, allowed, frame);
 }
 
-Measured Measurer::measure(const Contestant& contestant, const Converged& constant, const Converged& linear) {
+std::variant<Measured, Estimate> Measurer::measure(const Contestant& contestant, References& references,
+                                                   double allowed) {
   Frame frame;
+  std::variant<Timed, Estimate> timed = state_->run(contestant, allowed, frame);
+  if (const auto* const estimate = std::get_if<Estimate>(&timed)) return *estimate;
   Measured measured;
-  static_cast<Timed&>(measured) = state_->run(contestant, frame);
+  static_cast<Timed&>(measured) = std::get<Timed>(std::move(timed));
   const scene::ReceiverImage& view = state_->subject.scene.view;
-  measured.errors = errors_of(frame.occlusion, constant.mean, view.width, view.height);
-  if (contestant.has_linear_falloff) {
-    measured.own_falloff = errors_of(frame.occlusion, linear.mean, view.width, view.height);
-  }
+  const auto errors_from = [&](OwnFalloff falloff) {
+    return errors_of(frame.occlusion, references.of(falloff).mean, view.width, view.height);
+  };
+  measured.errors = errors_from(OwnFalloff::constant);
+  if (contestant.falloff != OwnFalloff::constant) measured.own_falloff = errors_from(contestant.falloff);
   if (!frame.masks.empty()) {
     const Masks& expected = state_->expected_of(contestant);
     const std::uint64_t count = reference::count_mismatched_rays(frame.masks, expected);

@@ -3,12 +3,15 @@
 
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include <nlohmann/json.hpp>
 
 #include "bench/report/contestants.h"
+#include "bench/report/prepared_scene.h"
 #include "bench/report/subject.h"
 
 namespace lkao::bench {
@@ -29,19 +32,30 @@ struct Measured : Timed {
   std::optional<double> mismatch_rate;       // of its rays, from Embree's with the same directions
 };
 
+// What measuring takes, as frames of smaller views tell.
+struct Estimate {
+  double seconds = 0;
+};
+
 nlohmann::ordered_json to_json(const PictureErrors& errors);
 
-// Measures contestants of one subject, of which it keeps what they share.
+// A contestant has no answer here; with one line that says why.
+class CannotAnswer : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+// Measures contestants of one subject, of which it keeps what they share. Where one would take longer than `allowed`
+// seconds, it is told so in place of an answer, after a try on views of an eighth and a quarter of the width; where
+// `allowed` is infinite nothing is tried. Throws CannotAnswer.
 class Measurer {
  public:
-  Measurer(const Subject& subject, int round_count);
+  Measurer(PreparedScene& scene, const Subject& subject, int round_count);
   ~Measurer();
 
-  // Against rays of constant and of linear falloff. Throws std::runtime_error or std::invalid_argument with one line
-  // where the contestant cannot answer.
-  Measured measure(const Contestant& contestant, const Converged& constant, const Converged& linear);
+  std::variant<Measured, Estimate> measure(const Contestant& contestant, References& references, double allowed);
   // The time alone.
-  Timed time(const Contestant& contestant);
+  std::variant<Timed, Estimate> time(const Contestant& contestant, double allowed);
 
  private:
   struct State;

@@ -1,26 +1,27 @@
 #include "bench/report/report.h"
 
 #include <algorithm>
-#include <csignal>
 #include <cstdio>
 #include <optional>
+#include <set>
+#include <utility>
+#include <variant>
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
-#include "bench/csv_file.h"
 #include "bench/provenance.h"
+#include "bench/report/budget.h"
 #include "bench/report/causes.h"
 #include "bench/report/contestants.h"
+#include "bench/report/front.h"
+#include "bench/report/interrupt.h"
 #include "bench/report/measured.h"
-#include "bench/report/page.h"
+#include "bench/report/paper_studies.h"
 #include "bench/report/papers.h"
+#include "bench/report/picture.h"
 #include "bench/report/store.h"
 #include "bench/report/subject.h"
-#if LKAO_BENCH_GL
-#include "bench/raster_frames.h"
-#include "method/gl_device.h"
-#endif
 #include "method/list.h"
 
 namespace lkao::bench {
@@ -31,26 +32,16 @@ using nlohmann::ordered_json;
 // Of pictures, behind the name of a contestant.
 constexpr const char* kMismatch = " mismatch";
 
-volatile std::sig_atomic_t is_stopped = 0;
-
-// From then on Ctrl-C stops between two measurements.
-class StopsAtInterrupt {
- public:
-  StopsAtInterrupt() : before_(std::signal(SIGINT, [](int) { is_stopped = 1; })) {}
-  ~StopsAtInterrupt() { std::signal(SIGINT, before_); }
-  StopsAtInterrupt(const StopsAtInterrupt&) = delete;
-  StopsAtInterrupt& operator=(const StopsAtInterrupt&) = delete;
-
- private:
-  void (*before_)(int);
-};
+// Of the time for a subject: what is for contestants, the rest being for what only papers ask for; and of that what
+// counts as short.
+constexpr double kContestantsShare = 0.8, kShortShare = 0.02;
 
 std::vector<Contestant> wanted_contestants(const ReportOptions& options) {
   std::vector<Contestant> wanted;
   for (Contestant& contestant : all_contestants(method::method_named("raster").is_built())) {
     const bool is_named =
-        options.families.empty() || std::find(options.families.begin(), options.families.end(),
-                                              word_of(kFamilyWords, contestant.family)) != options.families.end();
+        options.methods.empty() || std::find(options.methods.begin(), options.methods.end(),
+                                             word_of(kFamilyWords, contestant.family)) != options.methods.end();
     if (is_named && (contestant.is_quick || !options.is_quick)) wanted.push_back(std::move(contestant));
   }
   return wanted;
@@ -66,7 +57,10 @@ ordered_json describe(const Contestant& contestant, const Subject& subject, cons
                          {"query_ratio", measured.query_ratio},
                          {"keys", measured.keys},
                          {"errors", to_json(measured.errors)}};
-  if (measured.own_falloff) values["own_falloff_errors"] = to_json(*measured.own_falloff);
+  if (measured.own_falloff) {
+    values["own_falloff"] = word_of(kOwnFalloffWords, contestant.falloff);
+    values["own_falloff_errors"] = to_json(*measured.own_falloff);
+  }
   if (measured.mismatch_rate) values["mismatch_rate"] = *measured.mismatch_rate;
   return values;
 }
@@ -79,10 +73,11 @@ std::string command_of(const ReportOptions& options) {
     for (std::size_t i = 0; i < words.size(); ++i) text += (i == 0 ? option : std::string(",")) + words[i];
   };
   add_list(" --scenes ", options.scenes.names);
-  add_list(" --families ", options.families);
-  if (options.is_quick) return text + " --quick";
-  return text + fmt::format(" --width {} --height {} --rounds {}", options.scenes.width, options.scenes.height,
-                            options.round_count);
+  add_list(" --methods ", options.methods);
+  text += options.is_quick ? std::string(" --quick")
+                           : fmt::format(" --size {}x{}", options.scenes.width, options.scenes.height);
+  if (options.minutes) text += fmt::format(" --minutes {:g}", *options.minutes);
+  return text + fmt::format(" --rounds {}", options.round_count);
 }
 
 // A report under way.
@@ -92,19 +87,22 @@ class Measuring {
       : options_(options),
         names_(study_scene_names(options.scenes)),
         contestants_(wanted_contestants(options)),
-        store_(options.folder, program_fingerprint()) {}
+        store_(options.folder, program_fingerprint()),
+        spent_name_("seconds spent on " + fingerprint(command_of(options))),
+        budget_(options.minutes ? 60 * *options.minutes : kNoLimit, spent_before()) {}
 
-  // False where it was stopped.
-  bool run() {
-    for (const std::string& name : names_) {
-      const StudyScene scene = load_study_scene(name, options_.scenes);
+  void run() {
+    for (std::size_t i = 0; i < names_.size(); ++i) {
+      const StudyScene scene = load_study_scene(names_[i], options_.scenes);
+      PreparedScene prepared(scene);
       std::vector<float> radii = scene.radii;
       if (options_.is_quick) radii = {scene.radii.front()};
-      for (const float radius : radii) {
-        if (!measure(Subject(scene, radius))) return false;
+      for (std::size_t k = 0; k < radii.size(); ++k) {
+        // As if the scenes to come had as many radii.
+        const std::size_t subject_count = radii.size() * (names_.size() - i) - k;
+        measure(prepared, Subject(scene, radii[k]), Budget(budget_.left() / static_cast<double>(subject_count)));
       }
     }
-    return true;
   }
 
   // That draws; "" where nothing is drawn.
@@ -121,6 +119,11 @@ class Measuring {
   ordered_json take_subjects() { return std::move(subjects_); }
 
  private:
+  double spent_before() const {
+    const auto spent = store_.find(spent_name_);
+    return spent ? spent->at("seconds").get<double>() : 0;
+  }
+
   std::string record_name(const Subject& subject, const std::string& contestant) const {
     return subject.key + ", " + contestant;
   }
@@ -129,103 +132,141 @@ class Measuring {
     return store_.find_picture(record_name(subject, contestant), subject.scene.view.receivers.size());
   }
 
-  // For the page. Mismatches where there are some: a picture of them may be left from another program.
-  ordered_json pictures_of(const Subject& subject, const Converged& rays, const ordered_json& results) const {
-    const int width = subject.scene.view.width;
-    ordered_json pictures;
-    pictures["rays"] = encode_picture(steps_of_occlusion(rays.mean), width);
-    for (const ordered_json& result : results) {
-      const std::string name = result.at("contestant");
-      const auto own = picture(subject, name);
-      if (own) pictures[name] = encode_picture(steps_of_occlusion(*own), width);
-      if (result.value("mismatch_rate", 0.0) == 0) continue;
-      const auto mismatches = picture(subject, name + kMismatch);
-      if (mismatches) pictures[name + kMismatch] = encode_picture(steps_of_count(*mismatches), width);
+  bool takes_part(const Contestant& contestant, const Subject& subject) const {
+    return !contestant.is_for_paper || subject.radius == subject.scene.radii.front();
+  }
+
+  // Of the store; none where it has none. One that was left out for want of time gets another chance where there is
+  // more, or less.
+  std::optional<ordered_json> known(const Subject& subject, const Contestant& contestant) const {
+    auto values = store_.find(record_name(subject, contestant.name));
+    if (values && values->value("minutes", options_.minutes.value_or(0)) != options_.minutes.value_or(0)) return {};
+    return values;
+  }
+
+  void put(const Subject& subject, const Contestant& contestant, const ordered_json& values) {
+    store_.put(record_name(subject, contestant.name), values);
+    store_.put(spent_name_, {{"seconds", budget_.spent()}});
+  }
+
+  void leave_out(const Subject& subject, const Contestant& contestant, const std::string& reason,
+                 std::optional<double> seconds) {
+    fmt::print("  {:36} left out: {}\n", contestant.name, reason);
+    std::fflush(stdout);
+    ordered_json values = {
+        {"contestant", contestant.name}, {"family", word_of(kFamilyWords, contestant.family)}, {"left_out", reason}};
+    if (seconds) {
+      values["estimated_seconds"] = *seconds;
+      values["minutes"] = options_.minutes.value_or(0);
     }
-    return pictures;
+    put(subject, contestant, values);
   }
 
-  // Of the store, or what `measure` finds, which is put there once its pictures are.
-  template <class Measure>
-  ordered_json stored(const std::string& name, const Measure& measure) const {
-    if (const auto values = store_.find(name)) return *values;
-    store_.put(name, measure());
-    return *store_.find(name);
-  }
-
-  // Times at shares of the radius.
-  ordered_json sweep(const Subject& subject) const {
-    ordered_json steps = ordered_json::array();
-    for (const float share : kSweptShares) {
-      const Subject other(subject.scene, share * subject.radius);
-      steps.push_back(stored(record_name(subject, fmt::format("times at {} of the radius", share)), [&] {
-        Measurer measurer(other, options_.round_count);
-        ordered_json step = {{"radius", other.radius}};
-        for (const Contestant& contestant : contestants_) {
-          if (is_swept(contestant)) step[contestant.name] = measurer.time(contestant).seconds;
-        }
-        return step;
-      }));
-    }
-    return steps;
-  }
-
-#if LKAO_BENCH_GL
-  // Table 2 of Laine & Karras.
-  ordered_json culls(const Subject& subject) const {
-    return stored(record_name(subject, "culls"),
-                  [&] {
-                    raster::Rasterizer rasterizer(method::prepare_device({}));
-                    const std::vector<FrameSetup> setups = cull_setups();
-                    const std::vector<FrameResult> results =
-                        RasterFrames(rasterizer, subject.scene, subject.radius, {.round_count = options_.round_count})
-                            .draw(setups, true);
-                    const FrameResult& last = results.back();
-                    ordered_json rows = ordered_json::array();
-                    for (std::size_t i = 0; i < setups.size(); ++i) {
-                      const double survivors = static_cast<double>(results[i].counts.survivors);
-                      rows.push_back({{"tests", setups[i].name},
-                                      {"fragments", survivors / static_cast<double>(last.counts.survivors)},
-                                      {"speed", last.milliseconds / results[i].milliseconds}});
-                    }
-                    return ordered_json{{"rows", rows}};
-                  })
-        .at("rows");
-  }
-#endif
-
-  // What only papers ask for, in full reports.
-  void add_papers_own(const Subject& subject, ordered_json& values) const {
-    if (options_.is_quick) return;
-    if (subject.radius == subject.scene.radii.front()) values["sweep"] = sweep(subject);
-#if LKAO_BENCH_GL
-    const auto draws = [](const Contestant& contestant) { return contestant.family == Family::raster; };
-    if (std::any_of(contestants_.begin(), contestants_.end(), draws)) values["culls"] = culls(subject);
-#endif
-  }
-
-  bool measure(const Subject& subject) {
-    fmt::print("{}: {} contestants\n", subject.name, contestants_.size());
-    const Converged constant = converge(subject, Falloff::constant(), options_.turn_count, store_);
-    if (is_stopped != 0) return false;
-    const Converged linear = converge(subject, Falloff::linear(), options_.turn_count, store_);
-    std::optional<Measurer> measurer;
-    ordered_json results = ordered_json::array();
-    for (const Contestant& contestant : contestants_) {
-      if (is_stopped != 0) return false;
-      const std::string name = record_name(subject, contestant.name);
-      results.push_back(stored(name, [&] {
-        if (!measurer) measurer.emplace(subject, options_.round_count);
-        const Measured measured = measurer->measure(contestant, constant, linear);
+  // Puts it in the store, or returns what it would take where that is more than `allowed` seconds.
+  std::optional<double> try_to_measure(Measurer& measurer, References& references, const Subject& subject,
+                                       const Contestant& contestant, double allowed) {
+    try {
+      const auto answer = measurer.measure(contestant, references, allowed);
+      if (const auto* const estimate = std::get_if<Estimate>(&answer)) return estimate->seconds;
+      const auto& measured = std::get<Measured>(answer);
+      if (!contestant.is_for_paper) {
+        const std::string name = record_name(subject, contestant.name);
         store_.put_picture(name, measured.picture);
         if (!measured.mismatches.empty()) store_.put_picture(name + kMismatch, measured.mismatches);
-        fmt::print("  {:36} {:9.2f} ms  RMSE {:.4f}\n", contestant.name, 1000 * measured.seconds, measured.errors.rmse);
-        std::fflush(stdout);
-        return describe(contestant, subject, measured);
-      }));
+      }
+      fmt::print("  {:36} {:9.2f} ms  RMSE {:.4f}\n", contestant.name, 1000 * measured.seconds, measured.errors.rmse);
+      std::fflush(stdout);
+      put(subject, contestant, describe(contestant, subject, measured));
+    } catch (const CannotAnswer& error) {
+      leave_out(subject, contestant, error.what(), std::nullopt);
     }
+    return std::nullopt;
+  }
+
+  // First all that is short, then the rest, the shortest first, as long as there is time; what quick reports have
+  // before the others.
+  void measure_contestants(PreparedScene& scene, const Subject& subject, References& references, const Budget& time) {
+    struct Late {
+      const Contestant* contestant;
+      double seconds;
+    };
+    std::vector<Late> late;
+    std::optional<Measurer> measurer;
+    const double short_seconds = kShortShare * time.left();
+    for (const Contestant* contestant : unknown_contestants(subject)) {
+      if (time.left() <= 0) {
+        leave_out(subject, *contestant, "there was no time left", 0);
+        continue;
+      }
+      if (!measurer) measurer.emplace(scene, subject, options_.round_count);
+      const auto seconds = try_to_measure(*measurer, references, subject, *contestant, short_seconds);
+      if (seconds) late.push_back({contestant, *seconds});
+    }
+    std::stable_sort(late.begin(), late.end(), [](const Late& a, const Late& b) {
+      return std::pair(!a.contestant->is_quick, a.seconds) < std::pair(!b.contestant->is_quick, b.seconds);
+    });
+    for (const auto& [contestant, seconds] : late) {
+      if (seconds <= time.left()) {
+        try_to_measure(*measurer, references, subject, *contestant, kNoLimit);
+      } else {
+        leave_out(subject, *contestant, fmt::format("it would take about {:.0f} s", seconds), seconds);
+      }
+    }
+  }
+
+  // Those that the store has nothing of, in the order in which they are tried.
+  std::vector<const Contestant*> unknown_contestants(const Subject& subject) const {
+    std::vector<const Contestant*> unknown;
+    for (const Contestant& contestant : contestants_) {
+      if (takes_part(contestant, subject) && !known(subject, contestant)) unknown.push_back(&contestant);
+    }
+    std::stable_partition(unknown.begin(), unknown.end(),
+                          [](const Contestant* contestant) { return contestant->is_quick; });
+    return unknown;
+  }
+
+  // For the page. Mismatches where there are some: a picture of them may be left from another program.
+  ordered_json pictures_of(const Subject& subject, const Converged& rays, const ordered_json& results) const {
+    PictureEncoder encoder(rays.mean, subject.scene.view.width);
+    for (const ordered_json& result : results) {
+      const std::string name = result.at("contestant");
+      if (const auto own = picture(subject, name)) encoder.add(name, *own);
+      if (result.value("mismatch_rate", 0.0) == 0) continue;
+      if (const auto counts = picture(subject, name + kMismatch)) encoder.add_counts(name + kMismatch, *counts);
+    }
+    return encoder.take();
+  }
+
+  void measure(PreparedScene& scene, const Subject& subject, const Budget& time) {
+    fmt::print(
+        "{}{}\n", subject.name,
+        options_.minutes ? fmt::format(", {:.0f} of {:g} minutes left", budget_.left() / 60, *options_.minutes) : "");
+    std::fflush(stdout);
+    References references(scene, subject, options_.turn_count, store_);
+    const Converged& constant = references.of(OwnFalloff::constant);
+    measure_contestants(scene, subject, references, Budget(kContestantsShare * time.left()));
+    ordered_json results = ordered_json::array(), left_out = ordered_json::array();
+    std::set<OwnFalloff> falloffs;
+    for (const Contestant& contestant : contestants_) {
+      if (!takes_part(contestant, subject)) continue;
+      ordered_json values = known(subject, contestant).value();
+      if (!values.contains("left_out")) falloffs.insert(contestant.falloff);
+      (values.contains("left_out") ? left_out : results).push_back(std::move(values));
+    }
+    add_front(results);
     const scene::ReceiverImage& view = subject.scene.view;
     ordered_json pictures = pictures_of(subject, constant, results);
+    ordered_json causes =
+        errors_by_cause(contestants_, [&](const std::string& name) -> std::optional<std::vector<float>> {
+          for (const OwnFalloff falloff : falloffs) {
+            if (name == rays_of(falloff)) return references.of(falloff).mean;
+          }
+          return picture(subject, name);
+        });
+    ordered_json floors;
+    for (const OwnFalloff falloff : falloffs) {
+      floors[std::string(word_of(kOwnFalloffWords, falloff))] = 0.5 * references.of(falloff).between_halves.rmse;
+    }
     ordered_json values = {{"scene", subject.scene.name},
                            {"radius", subject.radius},
                            {"width", view.width},
@@ -235,63 +276,39 @@ class Measuring {
                            {"reference_rays", constant.ray_count},
                            // Of the mean of both halves: half as much as they differ.
                            {"noise_floor_rmse", 0.5 * constant.between_halves.rmse},
-                           {"linear_noise_floor_rmse", 0.5 * linear.between_halves.rmse},
+                           {"own_falloff_noise_floors", std::move(floors)},
                            {"results", std::move(results)},
-                           {"causes", errors_by_cause(contestants_,
-                                                      [&](const std::string& name) {
-                                                        return name == "rays" ? constant.mean : picture(subject, name);
-                                                      })},
+                           {"left_out", std::move(left_out)},
+                           {"causes", std::move(causes)},
                            {"pictures", std::move(pictures)}};
-    add_papers_own(subject, values);
+    if (!options_.is_quick) add_paper_studies(scene, subject, time, values);
     subjects_.push_back(std::move(values));
-    return is_stopped == 0;
+  }
+
+  void add_paper_studies(PreparedScene& scene, const Subject& subject, const Budget& time, ordered_json& values) {
+    const auto studies = [&](double share) {
+      return PaperStudies{scene, subject, contestants_, store_, options_.round_count, Budget(share * time.left())};
+    };
+    if (subject.radius == subject.scene.radii.front()) values["sweep"] = studies(0.5).sweep(values.at("results"));
+    values["culls"] = studies(1).culls();
+    store_.put(spent_name_, {{"seconds", budget_.spent()}});
   }
 
   const ReportOptions& options_;
   std::vector<std::string> names_;
   std::vector<Contestant> contestants_;
-  ReportStore store_;  // last: where the others find a fault, no folder is made
+  ReportStore store_;  // behind what finds faults: where there are some, no folder is made
+  std::string spent_name_;
+  Budget budget_;
   ordered_json subjects_ = ordered_json::array();
 };
 
-Columns csv_columns() {
-  return {{"scene"},
-          {"radius", "{:.6g}"},
-          {"contestant"},
-          {"family"},
-          {"device"},
-          {"milliseconds", "{:.5g}"},
-          {"query_ratio", "{:.4g}"},
-          {"bias", "{:.4g}"},
-          {"mae", "{:.4g}"},
-          {"rmse", "{:.4g}"},
-          {"median", "{:.4g}"},
-          {"percentile_95", "{:.4g}"},
-          {"percentile_99", "{:.4g}"},
-          {"largest", "{:.4g}"},
-          {"psnr", "{:.4g}"},
-          {"equal_8bit_share", "{:.6f}"},
-          {"log_error", "{:.4g}"},
-          {"own_falloff_rmse", "{:.4g}"},
-          {"mismatch_rate", "{:.4g}"},
-          {"noise_floor_rmse", "{:.4g}"}};
-}
-
-// A number of an object, or nothing.
-Value number(const ordered_json& object, const char* key) {
-  return object.contains(key) && object.at(key).is_number() ? Value(object.at(key).get<double>()) : Value();
-}
-
-// Contestants have commas in their names.
-std::string quoted(const std::string& text) { return '"' + text + '"'; }
-
 }  // namespace
 
-std::optional<ordered_json> measure_report(const ReportOptions& options) {
-  is_stopped = 0;
+ordered_json measure_report(const ReportOptions& options) {
   const StopsAtInterrupt stops;
   Measuring measuring(options);
-  if (!measuring.run()) return std::nullopt;
+  measuring.run();
   const Processor cpu = processor();
   const std::string device = measuring.device();
   ordered_json subjects = measuring.take_subjects();
@@ -304,29 +321,6 @@ std::optional<ordered_json> measure_report(const ReportOptions& options) {
                       {"command", command_of(options)},
                       {"subjects", std::move(subjects)},
                       {"papers", std::move(papers)}};
-}
-
-void write_report_csv(const std::string& folder, const ordered_json& report) {
-  CsvFile csv(folder + "/report.csv", csv_columns());
-  for (const ordered_json& subject : report.at("subjects")) {
-    for (const ordered_json& result : subject.at("results")) {
-      Measurement row = {{"scene", subject.at("scene").get<std::string>()},
-                         {"radius", number(subject, "radius")},
-                         {"contestant", quoted(result.at("contestant").get<std::string>())},
-                         {"family", result.at("family").get<std::string>()},
-                         {"device", quoted(result.at("device").get<std::string>())},
-                         {"milliseconds", 1000 * result.at("seconds").get<double>()},
-                         {"query_ratio", number(result, "query_ratio")},
-                         {"mismatch_rate", number(result, "mismatch_rate")},
-                         {"noise_floor_rmse", number(subject, "noise_floor_rmse")}};
-      for (const auto& [key, value] : result.at("errors").items())
-        row.emplace_back(key, number(result.at("errors"), key.c_str()));
-      row.emplace_back("own_falloff_rmse", result.contains("own_falloff_errors")
-                                               ? number(result.at("own_falloff_errors"), "rmse")
-                                               : Value());
-      csv.write(row);
-    }
-  }
 }
 
 }  // namespace lkao::bench

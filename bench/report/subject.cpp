@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "bench/drawn_method.h"
+#include "bench/report/own_falloff.h"
 
 namespace lkao::bench {
 namespace {
@@ -19,20 +20,6 @@ std::vector<float> mean_of_both(const std::vector<float>& first, const std::vect
   return mean;
 }
 
-std::vector<float> half(const Subject& subject, const Falloff& falloff, int first_turn, int turn_count,
-                        const ReportStore& store) {
-  const std::string name = fmt::format("{}, {} falloff, turns {} to {}", subject.key, falloff.name(), first_turn,
-                                       first_turn + turn_count - 1);
-  const std::size_t pixel_count = subject.scene.view.receivers.size();
-  if (store.find(name)) {
-    if (const auto picture = store.find_picture(name, pixel_count)) return *picture;
-  }
-  std::vector<float> picture = cast_rays(subject.scene, subject.radius, falloff, turn_count, first_turn);
-  store.put_picture(name, picture);
-  store.put(name, {{"rays", turn_count * kMaxRayCount}});  // last: now it counts
-  return picture;
-}
-
 }  // namespace
 
 Subject::Subject(const StudyScene& study_scene, float ao_radius)
@@ -42,12 +29,32 @@ Subject::Subject(const StudyScene& study_scene, float ao_radius)
   key = fmt::format("{} {}x{} {}", name, scene.view.width, scene.view.height, fingerprint(bytes));
 }
 
-Converged converge(const Subject& subject, const Falloff& falloff, int turn_count, const ReportStore& store) {
-  const std::vector<float> first = half(subject, falloff, kFirstTurn, turn_count, store);
-  const std::vector<float> second = half(subject, falloff, kFirstTurn + turn_count, turn_count, store);
-  const scene::ReceiverImage& view = subject.scene.view;
-  return {mean_of_both(first, second), errors_of(first, second, view.width, view.height),
-          2 * turn_count * kMaxRayCount};
+const Converged& References::of(OwnFalloff falloff) {
+  const auto found = known_.find(falloff);
+  if (found != known_.end()) return found->second;
+  const int turn_count = falloff == OwnFalloff::alchemy ? 2 * turn_count_ : turn_count_;
+  const std::vector<float> first = half(falloff, kFirstTurn, turn_count);
+  const std::vector<float> second = half(falloff, kFirstTurn + turn_count, turn_count);
+  const scene::ReceiverImage& view = subject_.scene.view;
+  return known_
+      .emplace(falloff, Converged{mean_of_both(first, second), errors_of(first, second, view.width, view.height),
+                                  2 * turn_count * kMaxRayCount})
+      .first->second;
+}
+
+std::vector<float> References::half(OwnFalloff falloff, int first_turn, int turn_count) {
+  const std::string name = fmt::format("{}, {} falloff, turns {} to {}", subject_.key,
+                                       word_of(kOwnFalloffWords, falloff), first_turn, first_turn + turn_count - 1);
+  const std::size_t pixel_count = subject_.scene.view.receivers.size();
+  if (store_.find(name)) {
+    if (const auto picture = store_.find_picture(name, pixel_count)) return *picture;
+  }
+  const std::vector<float> picture =
+      occlusion_of(falloff, cast_rays(scene_.occluders.hierarchies(), subject_.scene.view.receivers, subject_.radius,
+                                      pattern_of(falloff), turn_count, first_turn));
+  store_.put_picture(name, picture);
+  store_.put(name, {{"rays", turn_count * kMaxRayCount}});  // last: now it counts
+  return picture;
 }
 
 }  // namespace lkao::bench

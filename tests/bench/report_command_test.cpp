@@ -54,8 +54,8 @@ TEST(PictureErrors, OfEqualPicturesAreNone) {
 
 class ReportCommand : public ProgramTest {
  protected:
-  static Arguments report_to(const std::string& folder, const std::string& families) {
-    return {"report", "-o", folder, "--quick", "--scenes", "box", "--families", families, "--rounds", "1"};
+  static Arguments report_to(const std::string& folder, const std::string& methods) {
+    return {"report", "-o", folder, "--quick", "--scenes", "box", "--methods", methods, "--rounds", "1"};
   }
 
   // Rows of the CSV by contestant, cells by column; commas within quotes divide nothing.
@@ -131,7 +131,11 @@ TEST_F(ReportCommand, BadInputIsOneLine) {
   write_file("file", "");
   const Arguments quick = {"--quick", "--scenes", "box"};
   for (const Arguments& more : std::vector<Arguments>{{"-o", path("file")},
-                                                      {"-o", path("a"), "--families", "rays"},
+                                                      {"-o", path("a"), "--methods", "rays"},
+                                                      {"-o", path("a"), "--size", "320"},
+                                                      {"-o", path("a"), "--size", "0x8"},
+                                                      {"-o", path("a"), "--size", "8x8x8"},
+                                                      {"-o", path("a"), "--minutes", "-1"},
                                                       {"-o", path("a"), "--rounds", "0"},
                                                       {"-o", path("a"), "--views", path("none.json")},
                                                       {}}) {

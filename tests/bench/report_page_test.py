@@ -19,11 +19,11 @@ try:
 except ImportError:
     webdriver = None
 
-FAMILIES = "query,tables"
+METHODS = "query,tables"
 
 
 def command(bench, folder):
-    return [bench, "report", "-o", str(folder), "--quick", "--scenes", "box", "--families", FAMILIES, "--rounds", "1"]
+    return [bench, "report", "-o", str(folder), "--quick", "--scenes", "box", "--methods", METHODS, "--rounds", "1"]
 
 
 def make_report(bench, folder):

@@ -33,12 +33,14 @@ const figures = [
   {key: "equal_8bit_share", text: "equal at 8 bits", digits: 3},
   {key: "log_error", text: "Eq. 14", digits: 3},
   {key: "own_falloff_rmse", text: "RMSE, own falloff", digits: 3},
+  {key: "own_falloff_bias", text: "bias, own falloff", digits: 3},
   {key: "mismatch_rate", text: "mismatched rays", digits: 2},
 ];
 
 function valueOf(result, key) {
   if (key === "milliseconds") return 1000 * result.seconds;
   if (key === "own_falloff_rmse") return result.own_falloff_errors?.rmse;
+  if (key === "own_falloff_bias") return result.own_falloff_errors?.bias;
   return result[key] ?? result.errors[key] ?? undefined;
 }
 

@@ -26,6 +26,7 @@ function showScene() {
     `right: ${subject.reference_rays} rays a pixel, known to an RMSE of ${numberText(subject.noise_floor_rmse, 2)}.`;
   drawSubjects();
   drawPlot();
+  drawFront();
   drawChoice();
   drawViews();
   drawPicture();
@@ -51,6 +52,7 @@ function begin() {
   drawProvenance();
   drawLegend();
   drawHeat();
+  drawFronts();
   drawPapers();
   showScene();
 }

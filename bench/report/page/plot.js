@@ -89,6 +89,37 @@ function drawPlot() {
   byId("plot-caption").textContent = describePoint(state.result);
 }
 
+// Whether the exact query is on the front of a subject, and what keeps it off it.
+function frontText(subject) {
+  const exact = subject.results.filter((one) => one.family === "query");
+  if (exact.length === 0) return "";
+  const rays = (result) => result.contestant.match(/\d+/)[0];
+  const onIt = exact.filter((one) => !one.beaten_by), offIt = exact.filter((one) => one.beaten_by);
+  const beaten = offIt.map((one) => {
+    const better = subject.results.find((other) => other.contestant === one.beaten_by);
+    return `with ${rays(one)} rays ${one.beaten_by} beats it: ${numberText(better.seconds / one.seconds, 2)} of the time, ` +
+           `${numberText(better.errors.rmse / one.errors.rmse, 3)} of the RMSE`;
+  });
+  const yes = onIt.length === 0 ? "The exact query is nowhere on the Pareto front"
+    : offIt.length === 0 ? "The exact query is on the Pareto front with any number of rays"
+    : `The exact query is on the Pareto front with ${onIt.map(rays).join(", ")} rays`;
+  return `${[yes, ...beaten].join("; ")}.`;
+}
+
+function drawFront() {
+  const {subject} = state, left = subject.left_out ?? [];
+  byId("front-text").textContent = frontText(subject);
+  byId("left-out").hidden = left.length === 0;
+  byId("left-out").querySelector("summary").textContent = `${left.length} methods are left out`;
+  byId("left-out").querySelector("ul").replaceChildren(...left.map((one) =>
+    element("li", {}, `${one.contestant}: ${one.left_out}`)));
+}
+
+function drawFronts() {
+  byId("fronts").replaceChildren(...report.subjects.filter(frontText).map((subject) => element("li", {},
+    element("a", {href: addressOf(subject, state.result)}, subjectName(subject)), `: ${frontText(subject)}`)));
+}
+
 function drawLegend() {
   const present = [...new Set(report.subjects.flatMap((one) => one.results.map((result) => result.family)))];
   byId("legend").replaceChildren(...present.map((family) => element("button", {

@@ -1,7 +1,6 @@
-// Pictures that flip in place. They come as 16-bit numbers: differences to the left, low bytes first and high bytes
-// behind them, deflated. 65535: no receiver.
+// Pictures that flip in place. How they are held: report/picture.h.
 
-const pictureScale = 65000, noReceiver = 65535;
+const noReceiver = 65535;
 const errorScale = 0.1;  // of signed errors: full colour; the same everywhere, so that pictures can be compared
 const views = [
   {key: "picture", text: "picture", shortcut: "1"},
@@ -17,22 +16,42 @@ async function inflate(text) {
   return new Uint8Array(await new Response(stream).arrayBuffer());
 }
 
-// Numbers of a picture, row by row; none where the report has no such picture.
-async function decode(subject, name) {
-  const text = subject.pictures?.[name];
-  if (!text) return undefined;
-  if (!decoded.has(text)) {
-    const bytes = await inflate(text), count = bytes.length / 2, values = new Uint16Array(count);
-    for (let i = 0; i < count; ++i) {
-      const left = i % subject.width === 0 ? 0 : values[i - 1];
-      values[i] = left + bytes[i] + 256 * bytes[count + i];
-    }
-    decoded.set(text, values);
-  }
-  return decoded.get(text);
+// What the pixels to the left and above let expect of pixel i.
+function expected(values, i, width) {
+  const hasLeft = i % width !== 0, hasUp = i >= width;
+  const left = hasLeft ? values[i - 1] : 0, up = hasUp ? values[i - width] : 0;
+  if (!hasLeft) return up;
+  if (!hasUp) return left;
+  return Math.max(Math.min(left, up), Math.min(Math.max(left, up), left + up - values[i - width - 1]));
 }
 
-const occlusionAt = (values, i) => values[i] === noReceiver ? NaN : values[i] / pictureScale;
+async function unpack({steps, coding, data}, width, base) {
+  const bytes = await inflate(data), count = bytes.length / 2;
+  const differences = new Int32Array(count), values = new Float64Array(count);
+  for (let i = 0; i < count; ++i) {
+    const code = bytes[i] + 256 * bytes[count + i];
+    if (code === noReceiver) {
+      values[i] = NaN;
+      continue;
+    }
+    differences[i] = (code & 1 ? -(code + 1) / 2 : code / 2) + (coding === "smooth" ? expected(differences, i, width) : 0);
+    const from = base && !Number.isNaN(base[i]) ? Math.floor(base[i] * steps + 0.5) : 0;
+    values[i] = (differences[i] + from) / steps;
+  }
+  return values;
+}
+
+// Numbers of a picture, row by row, NaN where there is no receiver; none where the report has no such picture.
+function decode(subject, name) {
+  const {pictures} = subject, own = pictures?.[pictures?.[name]?.as ?? name];
+  if (!own) return undefined;
+  if (!decoded.has(own)) {
+    const hasBase = name !== "rays" && own.steps > 1;
+    decoded.set(own, Promise.resolve(hasBase ? decode(subject, "rays") : undefined)
+      .then((base) => unpack(own, subject.width, base)));
+  }
+  return decoded.get(own);
+}
 
 // White is open. What no camera ray meets is a pale blue.
 function greyOf(occlusion) {
@@ -49,7 +68,7 @@ function colourOfError(error) {
 }
 
 function colourOfCount(count) {
-  if (count === noReceiver) return [128, 128, 128];
+  if (Number.isNaN(count)) return [128, 128, 128];
   return count === 0 ? [245, 245, 245] : count === 1 ? [250, 160, 40] : [190, 20, 20];
 }
 
@@ -63,10 +82,10 @@ async function shownPictures() {
 function colourAt(pictures, i) {
   const {picture, rays, mismatch} = pictures;
   switch (state.view) {
-    case "rays": return greyOf(occlusionAt(rays, i));
-    case "error": return colourOfError(occlusionAt(picture, i) - occlusionAt(rays, i));
+    case "rays": return greyOf(rays[i]);
+    case "error": return colourOfError(picture[i] - rays[i]);
     case "mismatch": return mismatch ? colourOfCount(mismatch[i]) : [245, 245, 245];
-    default: return greyOf(occlusionAt(picture, i));
+    default: return greyOf(picture[i]);
   }
 }
 
@@ -138,7 +157,7 @@ async function drawLens(event) {
   }
   context.strokeStyle = "#e15759";
   context.strokeRect(around * zoom, around * zoom, zoom, zoom);
-  const i = row * width + column, own = occlusionAt(pictures.picture, i), right = occlusionAt(pictures.rays, i);
+  const i = row * width + column, own = pictures.picture[i], right = pictures.rays[i];
   context.fillStyle = getComputedStyle(document.body).color;
   context.font = "12px system-ui, sans-serif";
   context.fillText(`(${column}, ${row}): ${own.toFixed(4)}, rays ${right.toFixed(4)}`, 4, side + 16);
