@@ -51,7 +51,7 @@ def main():
     for axes, subject in zip(panels[0], sys.argv[3:]):
         scene, radius = subject.split(",")
         chosen = [row for row in rows if row["scene"] == scene and float(row["radius"]) == float(radius) and
-                  float(row["rmse"]) > 0]
+                  row["rmse"] and float(row["rmse"]) > 0]  # what was left out has none
         if not chosen:
             sys.exit(f"plot_report.py: no rows of {subject} in {sys.argv[1]}")
         draw(axes, chosen, f"{scene}, radius {radius}")

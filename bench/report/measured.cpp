@@ -113,8 +113,8 @@ struct Measurer::State {
 
   method::Question question_of(const Contestant& contestant) const;
   std::unique_ptr<method::Method> open_method(const Contestant& contestant, method::Occluders& from) const;
-  void open(const Contestant& contestant, Opened& opened);
-  const lod::Chain& chain_of(const ReportLevels& levels);
+  std::optional<Estimate> open(const Contestant& contestant, double allowed, Opened& opened);
+  std::variant<const lod::Chain*, Estimate> chain_of(const ReportLevels& levels, double allowed);
   const Masks& expected_of(const Contestant& contestant);
   Answer answer_by_embree(const Contestant& contestant);
   Answer answer_by(method::Method& method, method::Occluders& from, const Contestant& contestant) const;
@@ -143,14 +143,27 @@ std::unique_ptr<method::Method> Measurer::State::open_method(const Contestant& c
   return opened;
 }
 
-const lod::Chain& Measurer::State::chain_of(const ReportLevels& levels) {
+// Stopped where it takes longer.
+std::variant<const lod::Chain*, Estimate> Measurer::State::chain_of(const ReportLevels& levels, double allowed) {
   const auto found = chains.find({levels.k, levels.epsilon_share});
-  if (found != chains.end()) return found->second;
+  if (found != chains.end()) return &found->second;
   lod::LevelRule rule;
   rule.k = levels.k;
   rule.epsilon = levels.epsilon_share * lod::automatic_epsilon(subject.radius, rule);
-  lod::Chain chain = lod::simplify(subject.scene.mesh, {.levels = rule}).chain;
-  return chains.emplace(std::pair(levels.k, levels.epsilon_share), std::move(chain)).first->second;
+  Estimate estimate;
+  const method::Stopwatch watch;
+  const Progress keeps_to_time = [&](std::size_t done, std::size_t total) {
+    const double seconds = watch.seconds();
+    if (seconds <= allowed) return true;
+    estimate.seconds = seconds * static_cast<double>(total) / static_cast<double>(std::max<std::size_t>(done, 1));
+    return false;
+  };
+  try {
+    lod::Chain chain = lod::simplify(subject.scene.mesh, {.levels = rule}, keeps_to_time).chain;
+    return &chains.emplace(std::pair(levels.k, levels.epsilon_share), std::move(chain)).first->second;
+  } catch (const Cancelled&) {
+    return estimate;
+  }
 }
 
 const Masks& Measurer::State::expected_of(const Contestant& contestant) {
@@ -229,20 +242,23 @@ Measurer::Measurer(PreparedScene& scene, const Subject& subject, int round_count
 
 Measurer::~Measurer() = default;
 
-// Opened, or made of what Embree has.
-void Measurer::State::open(const Contestant& contestant, Opened& opened) {
+// Opened, or made of what Embree has; not where its levels take too long already.
+std::optional<Estimate> Measurer::State::open(const Contestant& contestant, double allowed, Opened& opened) {
   if (contestant.is_embree_mode()) {
     opened.answer = answer_by_embree(contestant);
     opened.timed.mode = (contestant.embree ? *contestant.embree : best_embree()).name();
-    return;
+    return std::nullopt;
   }
   if (contestant.levels) {
-    opened.simplified.emplace(scene.scene.mesh, chain_of(*contestant.levels), subject.radius);
+    const auto chain = chain_of(*contestant.levels, allowed);
+    if (const auto* const estimate = std::get_if<Estimate>(&chain)) return *estimate;
+    opened.simplified.emplace(scene.scene.mesh, *std::get<const lod::Chain*>(chain), subject.radius);
   }
   method::Occluders& from = opened.simplified ? *opened.simplified : scene.occluders;
   opened.method = open_method(contestant, from);
   opened.answer = answer_by(*opened.method, from, contestant);
   opened.timed.device = opened.method->device();
+  return std::nullopt;
 }
 
 // None where it takes no longer. Some frames take a time for each triangle and one for each pixel, others, which look
@@ -285,7 +301,7 @@ std::variant<Timed, Estimate> Measurer::State::run(const Contestant& contestant,
 std::variant<Timed, Estimate> Measurer::State::ask(const Contestant& contestant, double allowed, Frame& frame) {
   const method::Stopwatch watch;
   Opened opened;
-  open(contestant, opened);
+  if (const auto estimate = open(contestant, allowed, opened)) return *estimate;
   if (std::isfinite(allowed)) {
     if (const auto estimate = longer_than(allowed, opened, watch.seconds())) return *estimate;
   }

@@ -57,7 +57,8 @@ SamplePattern pattern_of(OwnFalloff falloff) {
 
 std::vector<float> occlusion_of(OwnFalloff falloff, std::vector<float> blocked_shares) {
   if (falloff != OwnFalloff::alchemy) return blocked_shares;
-  for (float& share : blocked_shares) share = std::min(1.0f, static_cast<float>(kMostObscurance) * share);
+  // What is not a number stays so.
+  for (float& share : blocked_shares) share = std::min(static_cast<float>(kMostObscurance) * share, 1.0f);
   return blocked_shares;
 }
 

@@ -194,23 +194,26 @@ class Measuring {
     std::optional<Measurer> measurer;
     const double short_seconds = kShortShare * time.left();
     for (const Contestant* contestant : unknown_contestants(subject)) {
-      if (time.left() <= 0) {
+      // The first is measured however little time there is: a page has something to show.
+      const bool is_first = contestant == contestants_.data();
+      if (time.left() <= 0 && !is_first) {
         leave_out(subject, *contestant, "there was no time left", 0);
         continue;
       }
       if (!measurer) measurer.emplace(scene, subject, options_.round_count);
-      const auto seconds = try_to_measure(*measurer, references, subject, *contestant, short_seconds);
+      const auto seconds =
+          try_to_measure(*measurer, references, subject, *contestant, is_first ? kNoLimit : short_seconds);
       if (seconds) late.push_back({contestant, *seconds});
     }
     std::stable_sort(late.begin(), late.end(), [](const Late& a, const Late& b) {
       return std::pair(!a.contestant->is_quick, a.seconds) < std::pair(!b.contestant->is_quick, b.seconds);
     });
     for (const auto& [contestant, seconds] : late) {
-      if (seconds <= time.left()) {
-        try_to_measure(*measurer, references, subject, *contestant, kNoLimit);
-      } else {
-        leave_out(subject, *contestant, fmt::format("it would take about {:.0f} s", seconds), seconds);
-      }
+      // What levels take is known when they are there: their making may be all that was estimated.
+      const double allowed = contestant->levels ? time.left() : kNoLimit;
+      const auto longer = seconds <= time.left() ? try_to_measure(*measurer, references, subject, *contestant, allowed)
+                                                 : std::optional(seconds);
+      if (longer) leave_out(subject, *contestant, fmt::format("it would take about {:.0f} s", *longer), *longer);
     }
   }
 

@@ -115,6 +115,45 @@ TEST_F(ReportCommand, RowsAgreeWithThemselves) {
   EXPECT_GT(number("table nearest, 64^3, 128 rays", "mismatch_rate"), 0);
 }
 
+TEST_F(ReportCommand, WhatHasNoTimeIsLeftOutAndToldOf) {
+  Arguments arguments = report_to(path("report"), "query,tables");
+  arguments.insert(arguments.end(), {"--minutes", "0.001"});
+  const ProgramResult result = run_program(arguments);
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  auto rows = rows_of("report/report.csv");
+  int left_out = 0;
+  for (const auto& [contestant, row] : rows) {
+    EXPECT_EQ(row.at("milliseconds").empty(), !row.at("left_out").empty()) << contestant;
+    left_out += row.at("left_out").empty() ? 0 : 1;
+  }
+  EXPECT_GT(left_out, 0);
+  EXPECT_TRUE(rows.at("query, 16 rays").at("left_out").empty());  // the first is measured whatever there is
+  // The same again decides nothing anew; with more time they have theirs.
+  EXPECT_EQ(run_program(arguments).out.find("left out"), std::string::npos);
+  arguments.back() = "10";
+  EXPECT_EQ(run_program(arguments).exit_code, 0);
+  rows = rows_of("report/report.csv");
+  for (const auto& [contestant, row] : rows) EXPECT_EQ(row.at("left_out"), "") << contestant;
+}
+
+// All but what is drawn at 32x24: estimates, the studies of papers, and falloffs of their own.
+TEST_F(ReportCommand, AFullReportHasAllItsParts) {
+  const ProgramResult result =
+      run_program({"report", "-o", path("report"), "--scenes", "box", "--size", "32x24", "--rounds", "1", "--minutes",
+                   "10", "--methods", "query,raster,volumes,vbao"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  if (result.out.find("vbao") == std::string::npos) GTEST_SKIP() << "needs OpenGL";
+  const auto rows = rows_of("report/report.csv");
+  EXPECT_EQ(rows.at("volumes, delta 0.6").at("own_falloff"), "linear");
+  EXPECT_FALSE(rows.at("vbao, linear falloff").at("own_falloff_rmse").empty());
+  for (const auto& [contestant, row] : rows) EXPECT_EQ(row.at("left_out"), "") << contestant;
+  const std::string page = read_file("report/report.html");
+  for (const char* part :
+       {"\"sweep\"", "\"culls\":{\"width\":32", "Table 2: what culling fragments saves", "Figure 9"}) {
+    EXPECT_NE(page.find(part), std::string::npos) << part;
+  }
+}
+
 TEST_F(ReportCommand, ADamagedRecordIsMeasuredAgain) {
   ASSERT_EQ(run_program(report_to(path("report"), "tables")).exit_code, 0);
   for (const auto& entry : std::filesystem::directory_iterator(path("report/measured"))) {

@@ -136,6 +136,35 @@ def check_viewer(page):
     assert page.find("#lens").is_displayed(), "no magnifier"
 
 
+def check_pictures_are_whole(page):
+    """What the magnifier reads: pictures have the errors that were measured."""
+    page.browser.set_script_timeout(30)
+    off = page.browser.execute_async_script("""
+        const done = arguments[0];
+        (async () => {
+          const all = [];
+          for (const subject of report.subjects) {
+            const rays = await decode(subject, "rays");
+            for (const result of subject.results) {
+              const picture = await decode(subject, result.contestant);
+              const squares = [...picture].map((value, i) => (value - rays[i]) ** 2).filter((value) => !isNaN(value));
+              const rmse = Math.sqrt(squares.reduce((a, b) => a + b) / squares.length);
+              all.push([result.contestant, squares.length - subject.receivers, rmse - result.errors.rmse]);
+            }
+          }
+          done(all);
+        })();""")
+    assert len(off) > 5
+    for name, count, error in off:
+        assert count == 0 and abs(error) < 1e-5, f"{name}: {count} pixels and {error} of RMSE off"
+
+
+def check_front(page):
+    facts = page.find("#front-text").text
+    assert "The exact query is" in facts and page.find_all("#fronts li"), facts
+    assert not page.find("#left-out").is_displayed(), "something was left out"
+
+
 def check_tables(page):
     def column(index):
         return [row.find_elements(By.CSS_SELECTOR, "th, td")[index].text for row in page.find_all("#figures tbody tr")]
@@ -190,6 +219,8 @@ def main():
         page = Page(browser)
         check_plot(page)
         check_viewer(page)
+        check_pictures_are_whole(page)
+        check_front(page)
         check_tables(page)
         check_address(page, address)
         check_styles(page, folder)
