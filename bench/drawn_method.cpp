@@ -14,22 +14,33 @@ namespace lkao::bench {
 
 std::vector<float> cast_rays(const StudyScene& scene, float radius, const Falloff& falloff, int turn_count) {
   const OccluderBvh bvh({scene.mesh.positions, scene.mesh.triangles});
-  return cast_rays({{bvh}}, scene.view.receivers, radius, SamplePattern::standard(kMaxRayCount).with_falloff(falloff),
-                   turn_count, 0);
+  const SamplePattern pattern = SamplePattern::standard(kMaxRayCount).with_falloff(falloff);
+  MeanPicture picture;
+  for (int turn = 0; turn < turn_count; ++turn) {
+    picture.add(cast_rays({{bvh}}, scene.view.receivers, radius, pattern, turn));
+  }
+  return picture.mean();
 }
 
 std::vector<float> cast_rays(const std::vector<OccluderLevel>& occluders, std::span<const Receiver> receivers,
-                             float radius, const SamplePattern& pattern, int turn_count, int first_turn) {
+                             float radius, const SamplePattern& pattern, int turn) {
+  const RayOptions options{.radius = radius, .seed = static_cast<std::uint64_t>(turn)};
   std::vector<float> occlusion(receivers.size());
-  std::vector<double> sum(occlusion.size());
-  for (int turn = 0; turn < turn_count; ++turn) {
-    const RayOptions options{.radius = radius, .seed = static_cast<std::uint64_t>(first_turn + turn)};
-    AmbientOcclusion(occluders, pattern, options).query(receivers, {.occlusion = occlusion});
-    for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += static_cast<double>(occlusion[i]);
-  }
-  std::transform(sum.begin(), sum.end(), occlusion.begin(),
-                 [turn_count](double value) { return static_cast<float>(value / turn_count); });
+  AmbientOcclusion(occluders, pattern, options).query(receivers, {.occlusion = occlusion});
   return occlusion;
+}
+
+void MeanPicture::add(const std::vector<float>& picture) {
+  sum_.resize(picture.size());
+  for (std::size_t i = 0; i < sum_.size(); ++i) sum_[i] += static_cast<double>(picture[i]);
+  ++count_;
+}
+
+std::vector<float> MeanPicture::mean() const {
+  std::vector<float> mean(sum_.size());
+  std::transform(sum_.begin(), sum_.end(), mean.begin(),
+                 [this](double value) { return static_cast<float>(value / count_); });
+  return mean;
 }
 
 double mean_of(const std::vector<float>& occlusion) {

@@ -20,9 +20,20 @@ namespace lkao::bench {
 // What every pixel of the view should be: `turn_count` times 1024 rays, by the query; other turns are other rays. NaN
 // where there is no receiver.
 std::vector<float> cast_rays(const StudyScene& scene, float radius, const Falloff& falloff, int turn_count);
-// The same of any pattern, among hierarchies that are there already; turns from `first_turn` on.
+// One turn, of any pattern, among hierarchies that are there already.
 std::vector<float> cast_rays(const std::vector<OccluderLevel>& occluders, std::span<const Receiver> receivers,
-                             float radius, const SamplePattern& pattern, int turn_count, int first_turn);
+                             float radius, const SamplePattern& pattern, int turn);
+
+// The mean of pictures of one size, which come one by one.
+class MeanPicture {
+ public:
+  void add(const std::vector<float>& picture);
+  std::vector<float> mean() const;
+
+ private:
+  std::vector<double> sum_;
+  int count_ = 0;
+};
 
 // Of pixels with a receiver.
 double mean_of(const std::vector<float>& occlusion);

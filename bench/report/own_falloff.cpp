@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 
 #include <glm/geometric.hpp>
 
@@ -41,13 +42,14 @@ SamplePattern ends_in_ball() {
 
 }  // namespace
 
-SamplePattern pattern_of(OwnFalloff falloff) {
+SamplePattern pattern_of(OwnFalloff falloff, int seed) {
   const SamplePattern& standard = SamplePattern::standard(kMaxRayCount);
   switch (falloff) {
     case OwnFalloff::linear:
       return standard.with_falloff(Falloff::linear());
     case OwnFalloff::alchemy:
-      return standard.with_falloff(Falloff::custom("alchemy", alchemy_share));
+      return SamplePattern::make(PatternKind::sobol, kMaxRayCount, Falloff::custom("alchemy", alchemy_share),
+                                 static_cast<std::uint64_t>(seed));
     case OwnFalloff::ball:
       return ends_in_ball();
     default:

@@ -16,8 +16,9 @@
 
 namespace lkao::bench {
 
-// 1024 rays; the share of them that is blocked is what occlusion_of() takes.
-SamplePattern pattern_of(OwnFalloff falloff);
+// 1024 rays; the share of them that is blocked is what occlusion_of() takes. Of Alchemy, where few rays count for much,
+// others for each seed.
+SamplePattern pattern_of(OwnFalloff falloff, int seed);
 
 // Of these shares.
 std::vector<float> occlusion_of(OwnFalloff falloff, std::vector<float> blocked_shares);

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <optional>
 #include <set>
+#include <stdexcept>
 #include <utility>
 #include <variant>
 
@@ -32,9 +33,9 @@ using nlohmann::ordered_json;
 // Of pictures, behind the name of a contestant.
 constexpr const char* kMismatch = " mismatch";
 
-// Of the time for a subject: what is for contestants, the rest being for what only papers ask for; and of that what
-// counts as short.
-constexpr double kContestantsShare = 0.8, kShortShare = 0.02;
+// Of the time for a subject: what is for contestants, the rest being for what only papers ask for; of that what is for
+// those of quick reports, and what counts as short.
+constexpr double kContestantsShare = 0.8, kQuickShare = 0.7, kShortShare = 0.03;
 
 std::vector<Contestant> wanted_contestants(const ReportOptions& options) {
   std::vector<Contestant> wanted;
@@ -44,6 +45,7 @@ std::vector<Contestant> wanted_contestants(const ReportOptions& options) {
                                              word_of(kFamilyWords, contestant.family)) != options.methods.end();
     if (is_named && (contestant.is_quick || !options.is_quick)) wanted.push_back(std::move(contestant));
   }
+  if (wanted.empty()) throw std::invalid_argument("--methods: none of these is in a program without OpenGL");
   return wanted;
 }
 
@@ -183,49 +185,47 @@ class Measuring {
     return std::nullopt;
   }
 
-  // First all that is short, then the rest, the shortest first, as long as there is time; what quick reports have
-  // before the others.
+  // Those of quick reports first, so that these have the time that there is.
   void measure_contestants(PreparedScene& scene, const Subject& subject, References& references, const Budget& time) {
+    std::vector<const Contestant*> quick, others;
+    for (const Contestant& contestant : contestants_) {
+      if (!takes_part(contestant, subject) || known(subject, contestant)) continue;
+      (contestant.is_quick ? quick : others).push_back(&contestant);
+    }
+    if (quick.empty() && others.empty()) return;
+    Measurer measurer(scene, subject, options_.round_count);
+    measure_some(measurer, subject, references, quick, Budget(kQuickShare * time.left()));
+    measure_some(measurer, subject, references, others, Budget(time.left()));
+  }
+
+  // First all that is short, then the rest, the shortest first, as long as there is time.
+  void measure_some(Measurer& measurer, const Subject& subject, References& references,
+                    const std::vector<const Contestant*>& contestants, const Budget& time) {
     struct Late {
       const Contestant* contestant;
       double seconds;
     };
     std::vector<Late> late;
-    std::optional<Measurer> measurer;
     const double short_seconds = kShortShare * time.left();
-    for (const Contestant* contestant : unknown_contestants(subject)) {
+    for (const Contestant* contestant : contestants) {
       // The first is measured however little time there is: a page has something to show.
       const bool is_first = contestant == contestants_.data();
       if (time.left() <= 0 && !is_first) {
         leave_out(subject, *contestant, "there was no time left", 0);
         continue;
       }
-      if (!measurer) measurer.emplace(scene, subject, options_.round_count);
       const auto seconds =
-          try_to_measure(*measurer, references, subject, *contestant, is_first ? kNoLimit : short_seconds);
+          try_to_measure(measurer, references, subject, *contestant, is_first ? kNoLimit : short_seconds);
       if (seconds) late.push_back({contestant, *seconds});
     }
-    std::stable_sort(late.begin(), late.end(), [](const Late& a, const Late& b) {
-      return std::pair(!a.contestant->is_quick, a.seconds) < std::pair(!b.contestant->is_quick, b.seconds);
-    });
+    std::stable_sort(late.begin(), late.end(), [](const Late& a, const Late& b) { return a.seconds < b.seconds; });
     for (const auto& [contestant, seconds] : late) {
       // What levels take is known when they are there: their making may be all that was estimated.
       const double allowed = contestant->levels ? time.left() : kNoLimit;
-      const auto longer = seconds <= time.left() ? try_to_measure(*measurer, references, subject, *contestant, allowed)
+      const auto longer = seconds <= time.left() ? try_to_measure(measurer, references, subject, *contestant, allowed)
                                                  : std::optional(seconds);
       if (longer) leave_out(subject, *contestant, fmt::format("it would take about {:.0f} s", *longer), *longer);
     }
-  }
-
-  // Those that the store has nothing of, in the order in which they are tried.
-  std::vector<const Contestant*> unknown_contestants(const Subject& subject) const {
-    std::vector<const Contestant*> unknown;
-    for (const Contestant& contestant : contestants_) {
-      if (takes_part(contestant, subject) && !known(subject, contestant)) unknown.push_back(&contestant);
-    }
-    std::stable_partition(unknown.begin(), unknown.end(),
-                          [](const Contestant* contestant) { return contestant->is_quick; });
-    return unknown;
   }
 
   // For the page. Mismatches where there are some: a picture of them may be left from another program.

@@ -49,9 +49,12 @@ std::vector<float> References::half(OwnFalloff falloff, int first_turn, int turn
   if (store_.find(name)) {
     if (const auto picture = store_.find_picture(name, pixel_count)) return *picture;
   }
-  const std::vector<float> picture =
-      occlusion_of(falloff, cast_rays(scene_.occluders.hierarchies(), subject_.scene.view.receivers, subject_.radius,
-                                      pattern_of(falloff), turn_count, first_turn));
+  MeanPicture blocked;
+  for (int turn = first_turn; turn < first_turn + turn_count; ++turn) {
+    blocked.add(cast_rays(scene_.occluders.hierarchies(), subject_.scene.view.receivers, subject_.radius,
+                          pattern_of(falloff, turn), turn));
+  }
+  const std::vector<float> picture = occlusion_of(falloff, blocked.mean());
   store_.put_picture(name, picture);
   store_.put(name, {{"rays", turn_count * kMaxRayCount}});  // last: now it counts
   return picture;

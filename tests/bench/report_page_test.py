@@ -161,7 +161,7 @@ def check_pictures_are_whole(page):
 
 def check_front(page):
     facts = page.find("#front-text").text
-    assert "The exact query is" in facts and page.find_all("#fronts li"), facts
+    assert "the exact query is on the Pareto front with" in facts and "Nothing else is." in facts and page.find_all("#fronts li"), facts
     assert not page.find("#left-out").is_displayed(), "something was left out"
 
 

@@ -44,7 +44,7 @@ std::vector<glm::vec3> ends_of(const SamplePattern& pattern) {
 
 TEST(OwnFalloff, EndsAreEvenInTheBallOfVao) {
   const glm::vec3 centre(0, 0, 0.5f);
-  const std::vector<glm::vec3> ends = ends_of(pattern_of(OwnFalloff::ball));
+  const std::vector<glm::vec3> ends = ends_of(pattern_of(OwnFalloff::ball, 0));
   ASSERT_EQ(ends.size(), 1024u);
   glm::vec3 sum(0);
   int in_half = 0, below_quarter = 0;
@@ -60,16 +60,20 @@ TEST(OwnFalloff, EndsAreEvenInTheBallOfVao) {
 }
 
 // A ceiling at the height h blocks what ends above it. With the intensity i, by Eq. 8 and without its epsilon, that is
-// i E[cos / h] over directions of the cosine as far as the radius: 2/3 i (1 - h^3) / h.
+// i E[cos / h] over directions of the cosine that reach it: 2/3 i (1 - h^3) / h; i is 2.
 TEST(OwnFalloff, AlchemysIsItsIntegral) {
-  const std::vector<glm::vec3> ends = ends_of(pattern_of(OwnFalloff::alchemy));
-  for (const float height : {0.7f, 0.8f, 0.9f}) {
+  constexpr int kTurnCount = 12;
+  std::vector<glm::vec3> ends;
+  for (int turn = 0; turn < kTurnCount; ++turn) {
+    const std::vector<glm::vec3> more = ends_of(pattern_of(OwnFalloff::alchemy, turn));
+    ends.insert(ends.end(), more.begin(), more.end());
+  }
+  for (const float height : {0.8f, 0.87f, 0.95f}) {
     int blocked = 0;
     for (const glm::vec3& end : ends) blocked += end.z >= height ? 1 : 0;
-    const float occlusion = occlusion_of(OwnFalloff::alchemy, {static_cast<float>(blocked) / 1024})[0];
-    const double right =
-        std::min(1.0, 4.0 / 3 * (1 - std::pow(static_cast<double>(height), 3)) / static_cast<double>(height));
-    EXPECT_NEAR(occlusion, right, 0.06) << height;  // a ray is 0.05
+    const float share = static_cast<float>(blocked) / static_cast<float>(ends.size());
+    const double h = height;
+    EXPECT_NEAR(occlusion_of(OwnFalloff::alchemy, {share})[0], 4.0 / 3 * (1 - h * h * h) / h, 0.02) << height;
   }
   EXPECT_EQ(occlusion_of(OwnFalloff::alchemy, {0.5f})[0], 1);
   EXPECT_TRUE(std::isnan(occlusion_of(OwnFalloff::alchemy, {std::nanf("")})[0]));
@@ -79,7 +83,7 @@ TEST(OwnFalloff, OthersAreTheSharesOfRays) {
   for (const OwnFalloff falloff : {OwnFalloff::constant, OwnFalloff::linear, OwnFalloff::ball}) {
     EXPECT_EQ(occlusion_of(falloff, {0.25f, 1})[0], 0.25f);
   }
-  for (const float length : pattern_of(OwnFalloff::constant).lengths()) EXPECT_EQ(length, 1);
+  for (const float length : pattern_of(OwnFalloff::constant, 0).lengths()) EXPECT_EQ(length, 1);
 }
 
 }  // namespace

@@ -89,21 +89,25 @@ function drawPlot() {
   byId("plot-caption").textContent = describePoint(state.result);
 }
 
-// Whether the exact query is on the front of a subject, and what keeps it off it.
+// Whether the exact query, with whatever rays, is the front at the errors that it has, and what else is.
 function frontText(subject) {
-  const exact = subject.results.filter((one) => one.family === "query");
+  const isExact = (one) => one.family === "query" || one.family === "patterns";
+  const exact = subject.results.filter(isExact);
   if (exact.length === 0) return "";
-  const rays = (result) => result.contestant.match(/\d+/)[0];
-  const onIt = exact.filter((one) => !one.beaten_by), offIt = exact.filter((one) => one.beaten_by);
-  const beaten = offIt.map((one) => {
+  const largest = Math.max(...exact.map((one) => one.errors.rmse));
+  const front = subject.results.filter((one) => !one.beaten_by && one.errors.rmse <= largest);
+  const others = front.filter((one) => !isExact(one));
+  const names = (list) => list.map((one) => one.contestant.replace("query, ", "")).join("; ");
+  const beaten = exact.flatMap((one) => {
     const better = subject.results.find((other) => other.contestant === one.beaten_by);
-    return `with ${rays(one)} rays ${one.beaten_by} beats it: ${numberText(better.seconds / one.seconds, 2)} of the time, ` +
-           `${numberText(better.errors.rmse / one.errors.rmse, 3)} of the RMSE`;
+    if (!better || isExact(better)) return [];
+    return `${one.contestant}, is beaten by ${better.contestant}: ${numberText(better.seconds / one.seconds, 2)} of ` +
+           `the time, ${numberText(better.errors.rmse / one.errors.rmse, 3)} of the RMSE. `;
   });
-  const yes = onIt.length === 0 ? "The exact query is nowhere on the Pareto front"
-    : offIt.length === 0 ? "The exact query is on the Pareto front with any number of rays"
-    : `The exact query is on the Pareto front with ${onIt.map(rays).join(", ")} rays`;
-  return `${[yes, ...beaten].join("; ")}.`;
+  const own = front.length === others.length ? "The exact query is nowhere on the Pareto front. "
+    : `From an RMSE of ${numberText(largest, 2)} down, the exact query is on the Pareto front with: ` +
+      `${names(front.filter(isExact))}. `;
+  return (own + (others.length === 0 ? "Nothing else is. " : `So are: ${names(others)}. `) + beaten.join("")).trim();
 }
 
 function drawFront() {
