@@ -13,7 +13,8 @@
 namespace lkao::bench {
 namespace {
 
-constexpr int kRaysSteps = 16384, kMostRays = 1024, kFewestRays = 16, kOtherSteps = 2000;
+constexpr int kRaysSteps = 16384, kMostRays = 1024, kFewestRays = 16, kFineSteps = 1000, kCoarseSteps = 250;
+constexpr double kLargeError = 10.0 / kCoarseSteps;  // RMSE
 constexpr std::uint16_t kNoReceiver = 65535;
 
 std::vector<unsigned char> deflate(const std::vector<unsigned char>& bytes) {
@@ -43,8 +44,20 @@ int step_of(float value, int steps) {
   return std::isnan(value) ? 0 : static_cast<int>(std::floor(static_cast<double>(value) * steps + 0.5));
 }
 
-// The fewest steps that lose nothing.
-int steps_for(const std::vector<float>& occlusion) {
+double rmse_of(const std::vector<float>& picture, const std::vector<float>& right) {
+  double sum = 0;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < picture.size(); ++i) {
+    const double error = static_cast<double>(picture[i]) - static_cast<double>(right[i]);
+    if (std::isnan(error)) continue;
+    sum += error * error;
+    ++count;
+  }
+  return count == 0 ? 0 : std::sqrt(sum / static_cast<double>(count));
+}
+
+// The fewest steps that lose nothing, or nothing that matters.
+int steps_for(const std::vector<float>& occlusion, const std::vector<float>& rays) {
   for (int steps = kFewestRays; steps <= kMostRays; steps *= 2) {
     const auto is_step = [steps](float value) {
       const float scaled = value * static_cast<float>(steps);
@@ -52,7 +65,7 @@ int steps_for(const std::vector<float>& occlusion) {
     };
     if (std::all_of(occlusion.begin(), occlusion.end(), is_step)) return steps;
   }
-  return kOtherSteps;
+  return rmse_of(occlusion, rays) < kLargeError ? kFineSteps : kCoarseSteps;
 }
 
 // What neighbours that are there already let expect of pixel i.
@@ -93,7 +106,7 @@ PictureEncoder::PictureEncoder(const std::vector<float>& rays, int width) : rays
 }
 
 void PictureEncoder::add(const std::string& name, const std::vector<float>& occlusion) {
-  put(name, occlusion, steps_for(occlusion), true);
+  put(name, occlusion, steps_for(occlusion, rays_), true);
 }
 
 void PictureEncoder::add_counts(const std::string& name, const std::vector<float>& counts) {

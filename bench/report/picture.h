@@ -1,7 +1,8 @@
 // Pictures as the page holds them: as small as they can be and still be read pixel by pixel.
 //
-// Values are steps of 1 / `steps`: the number of rays where that is what they are multiples of, and else 2000, which is
-// nearer than many rays are known. What is told is how far a picture is from the rays, which is little of good methods
+// Values are steps of 1 / `steps`: the number of rays where that is what they are multiples of; else 1000, which is as
+// near as many rays are known; or 250 where the error is at least ten of these. What is told is how far a picture is
+// from the rays, which is little of good methods
 // (`coding` "plain"), or by how much that differs from what the pixels to the left and above let expect (the median of
 // both and of their plane, as LOCO-I has it: M. Weinberger et al., 2000), which is little where errors are smooth
 // ("smooth"). In two bytes a pixel, all low ones first; 65535: no receiver. Deflated, in base 64.

@@ -149,7 +149,7 @@ TEST_F(ReportCommand, AFullReportHasAllItsParts) {
   for (const auto& [contestant, row] : rows) EXPECT_EQ(row.at("left_out"), "") << contestant;
   const std::string page = read_file("report/report.html");
   for (const char* part :
-       {"\"sweep\"", "\"culls\":{\"width\":32", "Table 2: what culling fragments saves", "Figure 9"}) {
+       {"\"sweep\"", "\"culls\":{\"width\":32", "Table 2: what culling fragments saves", "Figure 10"}) {
     EXPECT_NE(page.find(part), std::string::npos) << part;
   }
 }

@@ -38,6 +38,7 @@ async function unpack({steps, coding, data}, width, base) {
     const from = base && !Number.isNaN(base[i]) ? Math.floor(base[i] * steps + 0.5) : 0;
     values[i] = (differences[i] + from) / steps;
   }
+  values.digits = steps === 250 ? 3 : 4;  // that can be read
   return values;
 }
 
@@ -160,8 +161,9 @@ async function drawLens(event) {
   const i = row * width + column, own = pictures.picture[i], right = pictures.rays[i];
   context.fillStyle = getComputedStyle(document.body).color;
   context.font = "12px system-ui, sans-serif";
-  context.fillText(`(${column}, ${row}): ${own.toFixed(4)}, rays ${right.toFixed(4)}`, 4, side + 16);
-  context.fillText(`error ${(own - right).toFixed(4)}`, 4, side + 34);
+  const {digits} = pictures.picture;
+  context.fillText(`(${column}, ${row}): ${own.toFixed(digits)}, rays ${right.toFixed(4)}`, 4, side + 16);
+  context.fillText(`error ${(own - right).toFixed(digits)}`, 4, side + 34);
   const leftSide = event.clientX - box.left > box.width / 2;
   lens.style.left = `${event.clientX - box.left + (leftSide ? -side - 20 : 20)}px`;
   lens.style.top = `${Math.max(event.clientY - box.top - side / 2, 0)}px`;
