@@ -26,7 +26,8 @@ TEST(ReportFront, HasThoseThatNoneBeats) {
                           result("slower", 2.5, 0.2), result("as fast", 2, 0.3), result("worst", 5, 0.6),
                           result("twin", 4, 0.1)};
   add_front(results);
-  for (const int on_it : {0, 1, 2, 6}) EXPECT_TRUE(results[on_it].at("beaten_by").is_null()) << results[on_it];
+  for (const std::size_t on_it : {0u, 1u, 2u, 6u})
+    EXPECT_TRUE(results[on_it].at("beaten_by").is_null()) << results[on_it];
   EXPECT_EQ(results[3].at("beaten_by"), "between");
   EXPECT_EQ(results[4].at("beaten_by"), "between");
   EXPECT_EQ(results[5].at("beaten_by"), "fast");
