@@ -267,7 +267,8 @@ std::optional<Estimate> Measurer::State::longer_than(double allowed, const Opene
   const bool draws = !opened.timed.device.empty();
   // Of all that is measured, where a frame takes so long.
   const auto cost = [&](double frame) {
-    if (frame > kLongSeconds) return setup_seconds + 1.5 * frame;
+    // Some draw one more, to count.
+    if (frame > kLongSeconds) return setup_seconds + (draws ? 2 : 1.2) * frame;
     const double answer = draws ? std::min(kDrawnCount * frame, kDrawnSeconds + frame) : frame;
     return setup_seconds + (1 + round_count) * answer;
   };
