@@ -18,6 +18,8 @@ struct Command {
 Command add_rays_command(CLI::App& program);
 // Several runs of it together.
 Command add_spread_command(CLI::App& program);
+// Soft shadows against Embree.
+Command add_shadows_command(CLI::App& program);
 // Builds against Embree.
 Command add_build_command(CLI::App& program);
 // Scenes of instances against Embree's.

@@ -137,13 +137,12 @@ void cast_group(std::span<const ReceiverRays> group, int ray_count, RTCScene sce
 
 // Receivers [first, last) of all. Their masks are in `words`, which is of all.
 struct Part {
-  const AmbientOcclusion& ao;
-  std::span<const Receiver> receivers;
+  const RaySource& source;
   std::size_t first, last;
   std::uint64_t* words;
 
   std::uint64_t* words_of(std::size_t k) const {
-    return words + k * static_cast<std::size_t>(ao.pattern().word_count());
+    return words + k * static_cast<std::size_t>(word_count_of(source.ray_count));
   }
 };
 
@@ -151,8 +150,8 @@ void cast_groups(RTCScene scene, RayQuery& query, const Part& part) {
   thread_local std::vector<ReceiverRays> group(kGroupSize);  // 200 KiB, too much to clear for every part
   for (std::size_t first = part.first; first < part.last; first += kGroupSize) {
     const std::size_t size = std::min<std::size_t>(kGroupSize, part.last - first);
-    for (std::size_t i = 0; i < size; ++i) part.ao.rays(part.receivers[first + i], first + i, group[i]);
-    cast_group(std::span(group).first(size), part.ao.pattern().ray_count(), scene, query, part.words_of(first));
+    for (std::size_t i = 0; i < size; ++i) part.source.make(first + i, group[i]);
+    cast_group(std::span(group).first(size), part.source.ray_count, scene, query, part.words_of(first));
   }
 }
 
@@ -161,7 +160,7 @@ void cast_part(const EmbreeMode& mode, RTCScene scene, const Part& part) {
   if (mode.packing == Packing::receivers) return cast_groups(scene, query, part);
   ReceiverRays rays;
   for (std::size_t k = part.first; k < part.last; ++k) {
-    part.ao.rays(part.receivers[k], k, rays);
+    part.source.make(k, rays);
     cast_receiver(mode.width, rays, scene, query, part.words_of(k));
   }
 }
@@ -182,14 +181,19 @@ std::vector<EmbreeMode> all_embree_modes() {
   return modes;
 }
 
+void cast(const EmbreeMode& mode, RTCScene scene, const RaySource& source, std::span<std::uint64_t> mask_words) {
+  std::fill(mask_words.begin(), mask_words.end(), 0);
+  const std::size_t part_count = (source.receiver_count + kPartSize - 1) / kPartSize;
+  tbb::parallel_for(std::size_t{0}, part_count, [&](std::size_t i) {
+    const std::size_t first = i * kPartSize, last = std::min(first + kPartSize, source.receiver_count);
+    cast_part(mode, scene, {source, first, last, mask_words.data()});
+  });
+}
+
 void cast(const EmbreeMode& mode, RTCScene scene, const AmbientOcclusion& ao, std::span<const Receiver> receivers,
           std::span<std::uint64_t> mask_words) {
-  std::fill(mask_words.begin(), mask_words.end(), 0);
-  const std::size_t part_count = (receivers.size() + kPartSize - 1) / kPartSize;
-  tbb::parallel_for(std::size_t{0}, part_count, [&](std::size_t i) {
-    const std::size_t first = i * kPartSize, last = std::min(first + kPartSize, receivers.size());
-    cast_part(mode, scene, {ao, receivers, first, last, mask_words.data()});
-  });
+  const auto make = [&](std::size_t k, ReceiverRays& rays) { ao.rays(receivers[k], k, rays); };
+  cast(mode, scene, {receivers.size(), ao.pattern().ray_count(), make}, mask_words);
 }
 
 }  // namespace lkao::bench

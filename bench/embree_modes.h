@@ -1,7 +1,9 @@
 // The ways in which a program can hand a receiver's rays to Embree, for comparison of speed.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -27,6 +29,16 @@ struct EmbreeMode {
 
 // All widths and packings, coherent and incoherent.
 std::vector<EmbreeMode> all_embree_modes();
+
+// Rays of many receivers: `make(k, rays)` makes those of receiver k.
+struct RaySource {
+  std::size_t receiver_count;
+  int ray_count;
+  std::function<void(std::size_t, ReceiverRays&)> make;
+};
+
+// As below, for any rays.
+void cast(const EmbreeMode& mode, RTCScene scene, const RaySource& source, std::span<std::uint64_t> mask_words);
 
 // Makes the rays of receiver k (index k) and casts them, in parallel in the caller's TBB arena. Rays without length are
 // left out, since segments are open at the receiver. Excluded primitives and sidedness are not looked at. `mask_words`

@@ -19,6 +19,7 @@
 #pragma once
 
 #include "lkao/ambient_occlusion.h"
+#include "lkao/area_light.h"
 #include "lkao/cut_outs.h"
 #include "lkao/index_view.h"
 #include "lkao/isa.h"
@@ -31,9 +32,11 @@
 #include "lkao/plane_mask_table.h"
 #include "lkao/position_view.h"
 #include "lkao/progress.h"
+#include "lkao/ray_bundles.h"
 #include "lkao/receiver.h"
 #include "lkao/receiver_rays.h"
 #include "lkao/requirements.h"
 #include "lkao/sample_pattern.h"
+#include "lkao/soft_shadows.h"
 #include "lkao/version.h"
 #include "lkao/weighting.h"

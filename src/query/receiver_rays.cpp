@@ -34,16 +34,20 @@ void make_tangents(const glm::dvec3& n, glm::dvec3& tangent, glm::dvec3& bitange
   bitangent = {b, sign + n.y * n.y * a, -n.y};
 }
 
+glm::mat3 turned_frame(const glm::dvec3& tangent, const glm::dvec3& bitangent, const glm::dvec3& axis, double turn) {
+  const double cosine = std::cos(turn), sine = std::sin(turn);
+  return glm::mat3(cosine * tangent + sine * bitangent, cosine * bitangent - sine * tangent, axis);
+}
+
 float largest_component(const glm::vec3& v) {
   return std::max(std::fabs(v.x), std::max(std::fabs(v.y), std::fabs(v.z)));
 }
 
-// How far the rays start above the surface.
+}  // namespace
+
 float offset_of(const glm::vec3& position, const RayOptions& options, float largest_coordinate) {
   return lut::relative_surface_offset(options) * std::max(largest_component(position), largest_coordinate);
 }
-
-}  // namespace
 
 bool is_valid(const Receiver& receiver) {
   return lut::is_in_range(receiver.position) && is_direction(receiver.normal) &&
@@ -71,8 +75,13 @@ glm::mat3 jittered_frame(const Receiver& receiver, const Jitter& jitter, float l
     axis = glm::normalize(std::cos(tilt) * normal + std::sin(tilt) * sideways);
     make_tangents(axis, tangent, bitangent);
   }
-  const double cosine = std::cos(turn), sine = std::sin(turn);
-  return glm::mat3(cosine * tangent + sine * bitangent, cosine * bitangent - sine * tangent, axis);
+  return turned_frame(tangent, bitangent, axis, turn);
+}
+
+glm::mat3 frame_around(const glm::dvec3& axis, double turn) {
+  glm::dvec3 tangent, bitangent;
+  make_tangents(axis, tangent, bitangent);
+  return turned_frame(tangent, bitangent, axis, 2.0 * std::numbers::pi * turn);
 }
 
 OccluderExtent extent_of(std::span<const Level> levels) {

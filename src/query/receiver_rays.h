@@ -32,6 +32,12 @@ glm::vec3 geometric_normal(const Receiver& receiver);
 glm::mat3 jittered_frame(const Receiver& receiver, const Jitter& jitter, float lowest_elevation, std::uint64_t seed,
                          std::uint64_t index);
 
+// A rotation whose last column is the unit vector `axis`, turned about it by so many turns.
+glm::mat3 frame_around(const glm::dvec3& axis, double turn);
+
+// How far the rays of a receiver there start above the surface.
+float offset_of(const glm::vec3& position, const RayOptions& options, float largest_coordinate);
+
 // A sample pattern component by component, so that vectors can be made of it: up to whole words of a mask, with rays
 // that have neither direction nor length, which are never cast.
 struct PatternLanes {

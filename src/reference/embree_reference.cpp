@@ -8,6 +8,7 @@
 #include "query/answer.h"
 #include "query/batch.h"
 #include "query/receiver_rays.h"
+#include "query/shadow_answer.h"
 #include "reference/cast_rays.h"
 #include "reference/embree_scene.h"
 
@@ -153,6 +154,29 @@ QueryReport EmbreeReference::query(const AmbientOcclusion& ao, std::span<const R
       const OcclusionMask blocked = trace(*scene_, casting_, ao, receivers[k], first_index + k, rays);
       query::store(outputs, k, ao.pattern(), receivers[k], rays, blocked);
       query::count(report, rays, blocked);
+    }
+    return report;
+  });
+}
+
+OcclusionMask EmbreeReference::blocked(const ReceiverRays& rays, std::uint32_t excluded_primitive,
+                                       Sidedness sidedness) const {
+  return find_blocked(*scene_, rays, {nullptr}, excluded_primitive, sidedness, casting_);
+}
+
+QueryReport EmbreeReference::query(const SoftShadows& shadows, std::span<const Receiver> receivers,
+                                   const ShadowOutputs& outputs, std::uint64_t first_index) const {
+  const int word_count = shadows.pattern().word_count();
+  query::require_sizes(outputs, receivers.size(), word_count);
+  return query::answer_in_parts(receivers.size(), {}, [&](std::size_t first, std::size_t last) {
+    ReceiverRays rays;
+    QueryReport report;
+    for (std::size_t k = first; k < last; ++k) {
+      const bool is_valid = shadows.rays(receivers[k], first_index + k, rays);
+      const OcclusionMask mask = blocked(rays, receivers[k].excluded_primitive, shadows.options().sidedness);
+      const LightVisibility answer = query::make_shadow_answer(is_valid, rays, mask);
+      query::store(outputs, k, word_count, answer);
+      query::count(report, rays, answer);
     }
     return report;
   });

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "lkao/ambient_occlusion.h"
+#include "lkao/soft_shadows.h"
 #include "scene/mesh.h"
 
 namespace lkao::reference {
@@ -42,6 +43,13 @@ class EmbreeReference {
   ReceiverOcclusion query(const AmbientOcclusion& ao, const Receiver& receiver, std::uint64_t index) const;
   // The batch, in parallel with TBB. Throws std::invalid_argument where a span of the outputs has the wrong size.
   QueryReport query(const AmbientOcclusion& ao, std::span<const Receiver> receivers, const QueryOutputs& outputs,
+                    std::uint64_t first_index = 0) const;
+
+  // Of any rays of a common origin, those of rays.cast that are blocked.
+  OcclusionMask blocked(const ReceiverRays& rays, std::uint32_t excluded_primitive, Sidedness sidedness) const;
+
+  // As SoftShadows::query, with rays from SoftShadows::rays and the triangles of this scene.
+  QueryReport query(const SoftShadows& shadows, std::span<const Receiver> receivers, const ShadowOutputs& outputs,
                     std::uint64_t first_index = 0) const;
 
  private:

@@ -1,0 +1,140 @@
+#include "bench/shadows_cell.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <string_view>
+#include <utility>
+
+#include <tbb/blocked_range.h>
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include "bench/embree_modes.h"
+#include "bench/work_clock.h"
+#include "lkao/isa.h"
+#include "method/median.h"
+
+namespace lkao::bench {
+namespace {
+
+using Masks = std::vector<std::uint64_t>;
+
+struct Contestant {
+  std::string name;
+  std::function<void(Masks&)> answer;
+  std::vector<double> seconds = {};  // a round each
+  Masks masks = {};
+};
+
+void query_one_by_one(const SoftShadows& shadows, std::span<const Receiver> receivers, Masks& masks) {
+  const auto word_count = static_cast<std::size_t>(shadows.pattern().word_count());
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, receivers.size(), 32), [&](const auto& range) {
+    for (std::size_t k = range.begin(); k < range.end(); ++k) {
+      const LightVisibility answer = shadows.query(receivers[k], k);
+      std::copy_n(answer.blocked.words, word_count, masks.data() + k * word_count);
+    }
+  });
+}
+
+std::vector<Contestant> make_contestants(const CellInput& input, const SoftShadows& shadows, std::size_t mask_size) {
+  const std::span<const Receiver> receivers = input.receivers;
+  std::vector<Contestant> contestants = {
+      {kShadowsMethod, [receivers, &shadows](Masks& masks) { shadows.query(receivers, {.mask_words = masks}); }},
+      {kSingleShadowsMethod, [receivers, &shadows](Masks& masks) { query_one_by_one(shadows, receivers, masks); }}};
+  for (const EmbreeMode& mode : all_embree_modes()) {
+    const auto make = [receivers, &shadows](std::size_t k, ReceiverRays& rays) { shadows.rays(receivers[k], k, rays); };
+    const RaySource source{receivers.size(), shadows.pattern().ray_count(), make};
+    contestants.push_back({mode.name(), [mode, source, rival = input.rival](Masks& masks) {
+                             cast(mode, rival->plain(), source, masks);
+                           }});
+  }
+  for (Contestant& contestant : contestants) contestant.masks.resize(mask_size);
+  return contestants;
+}
+
+// As in rays_cell.cpp: each answer is timed the second time.
+void run_rounds(std::vector<Contestant>& contestants, int round_count, int thread_count) {
+  const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
+                                    static_cast<std::size_t>(thread_count));
+  tbb::task_arena(thread_count).execute([&] {
+    for (int round = 0; round < round_count; ++round) {
+      for (Contestant& contestant : contestants) {
+        contestant.answer(contestant.masks);
+        const WorkClock time(thread_count);
+        contestant.answer(contestant.masks);
+        contestant.seconds.push_back(time.seconds());
+      }
+    }
+  });
+}
+
+// What robust Embree says with the same rays.
+struct Expected {
+  Masks masks;
+  std::vector<float> visibility, above_horizon;
+  double ray_count;
+};
+
+Expected ask_oracle(const CellInput& input, const SoftShadows& shadows) {
+  const std::size_t count = input.receivers.size();
+  Expected expected{Masks(count * static_cast<std::size_t>(shadows.pattern().word_count())), std::vector<float>(count),
+                    std::vector<float>(count), 0};
+  const ShadowOutputs outputs{expected.visibility, expected.above_horizon, expected.masks};
+  expected.ray_count = static_cast<double>(input.oracle->query(shadows, input.receivers, outputs).ray_count);
+  return expected;
+}
+
+double share_of(const Expected& expected, const std::function<bool(float, float)>& test) {
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < expected.visibility.size(); ++k) {
+    count += test(expected.visibility[k], expected.above_horizon[k]);
+  }
+  return static_cast<double>(count) / static_cast<double>(expected.visibility.size());
+}
+
+double error_of(const SoftShadows& shadows, std::span<const Receiver> receivers, const Expected& expected) {
+  std::vector<float> visibility(receivers.size());
+  shadows.query(receivers, {.visibility = visibility});
+  double sum = 0;
+  for (std::size_t k = 0; k < visibility.size(); ++k) {
+    sum += std::fabs(static_cast<double>(visibility[k]) - static_cast<double>(expected.visibility[k]));
+  }
+  return sum / static_cast<double>(visibility.size());
+}
+
+}  // namespace
+
+const MethodResult& ShadowsCell::best_embree() const {
+  return *std::max_element(results.begin() + 2, results.end(), [](const MethodResult& a, const MethodResult& b) {
+    return a.mrays_per_second < b.mrays_per_second;
+  });
+}
+
+std::vector<ShadowsCell> measure_shadows(const CellInput& input, const AreaLight& light, const MeasureOptions& options,
+                                         const ShadowsCell& question) {
+  force_isa(question.isa.lkao);
+  const SoftShadows shadows(*input.occluders, light, SamplePattern::standard(question.ray_count));
+  const Expected expected = ask_oracle(input, shadows);
+  std::vector<ShadowsCell> cells;
+  for (const int thread_count : options.thread_counts) {
+    std::vector<Contestant> contestants = make_contestants(input, shadows, expected.masks.size());
+    run_rounds(contestants, options.round_count, thread_count);
+    ShadowsCell cell = question;
+    cell.thread_count = thread_count;
+    for (const Contestant& contestant : contestants) {
+      const auto wrong_count = static_cast<double>(reference::count_mismatched_rays(contestant.masks, expected.masks));
+      cell.results.push_back({contestant.name, contestant.seconds,
+                              expected.ray_count / method::median(contestant.seconds) * 1e-6,
+                              wrong_count / expected.ray_count});
+    }
+    cell.lit_share = share_of(expected, [](float seen, float above) { return above > 0 && seen == above; });
+    cell.umbra_share = share_of(expected, [](float seen, float) { return seen == 0; });
+    cell.mae = error_of(shadows, input.receivers, expected);
+    cells.push_back(std::move(cell));
+  }
+  return cells;
+}
+
+}  // namespace lkao::bench
