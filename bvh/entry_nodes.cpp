@@ -6,11 +6,12 @@
 namespace lkao::bvh {
 namespace {
 
-// The children of the entry nodes, as they are found.
+// The children of the entry nodes, as they are found. `is_missed(box)`: no ray can reach it.
+template <class IsMissed>
 class Entries {
  public:
-  Entries(std::span<const Node> nodes, const Bounds& origins, float radius, int most)
-      : nodes_(nodes), origins_(origins), radius_(radius), most_(most) {
+  Entries(std::span<const Node> nodes, const IsMissed& is_missed, int most)
+      : nodes_(nodes), is_missed_(is_missed), most_(most) {
     add_children_of(root_of(nodes_));
     while (open_one()) {
     }
@@ -24,7 +25,7 @@ class Entries {
   int reached_count(const Node& node) const {
     int count = 0;
     for (int i = 0; i < kWidth && !node.children[i].is_empty(); ++i) {
-      count += !is_farther_than(radius_, node.child_bounds(i), origins_);
+      count += !is_missed_(node.child_bounds(i));
     }
     return count;
   }
@@ -32,7 +33,7 @@ class Entries {
   void add_children_of(const Node& node) {
     for (int i = 0; i < kWidth && !node.children[i].is_empty(); ++i) {
       const Bounds box = node.child_bounds(i);
-      if (is_farther_than(radius_, box, origins_)) continue;
+      if (is_missed_(box)) continue;
       const ChildRef child = node.children[i];
       reached_counts_[count_] = child.is_leaf() ? most_ + 1 : reached_count(nodes_[child.index()]);
       boxes_[count_] = box;
@@ -63,8 +64,7 @@ class Entries {
   }
 
   std::span<const Node> nodes_;
-  const Bounds& origins_;
-  float radius_;
+  const IsMissed& is_missed_;
   int most_;
   int count_ = 0;
   Bounds boxes_[EntryNodes::kMostChildren];
@@ -75,12 +75,22 @@ class Entries {
 
 }  // namespace
 
-EntryNodes::EntryNodes(std::span<const Node> nodes, const Bounds& origins, float radius, int most_children) {
-  const Entries entries(nodes, origins, radius, most_children);
+template <class Entries>
+void EntryNodes::set(const Entries& entries) {
   for (int i = 0; i < entries.count(); ++i) {
     if (i % kWidth == 0) nodes_[count_++] = Node::empty();
     nodes_[count_ - 1].set_child(i % kWidth, entries.box(i), entries.child(i));
   }
+}
+
+EntryNodes::EntryNodes(std::span<const Node> nodes, const Bounds& origins, float radius, int most_children) {
+  const auto is_missed = [&](const Bounds& box) { return is_farther_than(radius, box, origins); };
+  set(Entries(nodes, is_missed, most_children));
+}
+
+EntryNodes::EntryNodes(std::span<const Node> nodes, const Shaft& shaft, int most_children) {
+  const auto is_missed = [&](const Bounds& box) { return shaft.misses(box); };
+  set(Entries(nodes, is_missed, most_children));
 }
 
 }  // namespace lkao::bvh

@@ -4,6 +4,7 @@
 #include <span>
 
 #include "bvh/layout.h"
+#include "bvh/shaft.h"
 
 namespace lkao::bvh {
 
@@ -17,9 +18,15 @@ class EntryNodes {
   // `nodes`: of a layout, the root first. `most_children`: from kWidth to kMostChildren.
   EntryNodes(std::span<const Node> nodes, const Bounds& origins, float radius, int most_children = kWidth);
 
+  // The same for rays that lie within a shaft.
+  EntryNodes(std::span<const Node> nodes, const Shaft& shaft, int most_children = kWidth);
+
   std::span<const Node> nodes() const { return {nodes_, static_cast<std::size_t>(count_)}; }
 
  private:
+  template <class Entries>
+  void set(const Entries& entries);
+
   Node nodes_[kMostChildren / kWidth];
   int count_ = 0;
 };

@@ -17,7 +17,10 @@ BundleTracer::Visit::Visit(const BundleTracer& tracer) : tracer_(tracer) {
   if (tracer.kernel_ == Kernel::simd) memories_.emplace(tracer.memories_);
 }
 
-BundleTracer::Visit::Visit(const BundleTracer& tracer, const Bounds&, const Bounds&) : Visit(tracer) {}
+BundleTracer::Visit::Visit(const BundleTracer& tracer, const Bounds& origins, const Bounds& ends) : Visit(tracer) {
+  const bool has_origins = origins.lower.x <= origins.upper.x;
+  if (has_origins) entries_.emplace(tracer.occluders_.layout().tree(), bvh::Shaft(origins, ends));
+}
 
 OcclusionMask BundleTracer::Visit::trace(const Receiver& receiver, ReceiverRays& rays) {
   OcclusionMask blocked, left = rays.cast;

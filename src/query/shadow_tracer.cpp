@@ -6,6 +6,8 @@
 #include <variant>
 
 #include <glm/common.hpp>
+#include <glm/exponential.hpp>
+#include <glm/geometric.hpp>
 
 #include "lut/random.h"
 #include "query/shadow_answer.h"
@@ -15,12 +17,18 @@ namespace {
 
 float largest_of(const glm::vec3& v) { return std::max(std::fabs(v.x), std::max(std::fabs(v.y), std::fabs(v.z))); }
 
+Bounds bounds_of(const SphereLight& light) {
+  return {light.position - glm::vec3(light.radius), light.position + glm::vec3(light.radius)};
+}
+
+Bounds bounds_of(const DiscLight& light) {
+  const glm::dvec3 n = glm::normalize(glm::dvec3(light.normal));
+  const glm::vec3 size = static_cast<double>(light.radius) * glm::sqrt(glm::max(1.0 - n * n, 0.0));
+  return {light.position - size, light.position + size};
+}
+
 Bounds bounds_of(const AreaLight& light) {
-  return std::visit(
-      [](const auto& one) {
-        return Bounds{one.position - glm::vec3(one.radius), one.position + glm::vec3(one.radius)};
-      },
-      light);
+  return std::visit([](const auto& one) { return bounds_of(one); }, light);
 }
 
 float largest_of(const Bounds& box) { return std::max(largest_of(box.lower), largest_of(box.upper)); }
@@ -68,10 +76,17 @@ bool ShadowTracer::make_rays(const Receiver& receiver, std::uint64_t index, Rece
   return true;
 }
 
+// Around all points of the light, rounding included.
+Bounds ShadowTracer::ends() const {
+  const Bounds exact = bounds_of(light_);
+  const glm::vec3 margin(0x1p-20f * largest_at_light_);
+  return {exact.lower - margin, exact.upper + margin};
+}
+
 ShadowTracer::Visit::Visit(const ShadowTracer& tracer, const Bounds& positions)
     : tracer_(tracer),
       bundles_(tracer.bundles_, bounds_of_origins(positions, tracer.ray_options_, tracer.largest_coordinate_),
-               bounds_of(tracer.light_)) {}
+               tracer.ends()) {}
 
 LightVisibility ShadowTracer::Visit::trace(const Receiver& receiver, std::uint64_t index, ReceiverRays& rays) {
   if (!tracer_.make_rays(receiver, index, rays)) return make_shadow_answer(false, rays, {});

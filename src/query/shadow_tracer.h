@@ -42,6 +42,8 @@ class ShadowTracer {
   };
 
  private:
+  Bounds ends() const;
+
   BundleTracer bundles_;
   AreaLight light_;
   SamplePattern pattern_;
