@@ -30,8 +30,10 @@ class BlockerMemory {
   bool should_guess() {
     is_observed_ = age_ == 0;
     age_ = (age_ + 1) % kPeriod;
-    return guesses_ && !is_observed_;
+    return guesses_now();
   }
+  // What it said last.
+  bool guesses_now() const { return guesses_ && !is_observed_; }
   // True where the receiver that should_guess() was last called for is such a one.
   bool is_observed() const { return is_observed_; }
 

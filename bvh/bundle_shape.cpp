@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "lut/coordinates.h"
@@ -32,6 +34,12 @@ constexpr int kRaysPerCone = PatternCones::kRaysPerCone;
 // Of squares of lengths: what is shorter than a 1024th of the longest ray is left to another shape.
 constexpr float kShortest2 = 0x1p-20f;
 
+// Of cosines: of lengths, of the axis, which was turned into the frame, and of products.
+constexpr float kRounding = 4e-6f;
+
+// The cosine of the widest angle to the middle at which a bundle is best told by the intervals of its components.
+constexpr float kNarrow = 0.7f;
+
 HWY_INLINE hn::Mask<Tag> mask_of(std::uint32_t bits) {
   const std::uint8_t bytes[8] = {static_cast<std::uint8_t>(bits), static_cast<std::uint8_t>(bits >> 8)};
   return hn::LoadMaskBits(Tag(), bytes);
@@ -40,13 +48,6 @@ HWY_INLINE hn::Mask<Tag> mask_of(std::uint32_t bits) {
 // Bits of as many rays as a vector holds, from ray `first` on.
 HWY_INLINE std::uint32_t bits_at(const OcclusionMask& mask, int first) {
   return static_cast<std::uint32_t>(mask.words[first / 64] >> (first % 64)) & ((1u << kLanes) - 1);
-}
-
-HWY_INLINE Floats largest_component(const ReceiverRays& rays, int first) {
-  const Tag tag;
-  const auto x = hn::Abs(hn::Load(tag, rays.x + first)), y = hn::Abs(hn::Load(tag, rays.y + first)),
-             z = hn::Abs(hn::Load(tag, rays.z + first));
-  return hn::Max(x, hn::Max(y, z));
 }
 
 bool are_in_range(const ReceiverRays& rays) {
@@ -63,102 +64,118 @@ bool are_in_range(const ReceiverRays& rays) {
   return bad == 0;
 }
 
-// Rays as they are here: scaled by a power of two, so that no square overflows, and none vanishes that counts.
-class ScaledRays {
+// The rays in question, and what is found of them in one go. Where squares of their lengths might leave the range of
+// floats, all is scaled by a power of two.
+class MeasuredRays {
  public:
-  ScaledRays(const ReceiverRays& rays, const OcclusionMask& left) : rays_(rays), count_(rays.word_count() * 64) {
-    const Tag tag;
-    auto largest = hn::Zero(tag);
-    for (int i = 0; i < count_; i += kLanes) {
-      largest = hn::Max(largest, hn::IfThenElseZero(mask_of(bits_at(left, i)), largest_component(rays, i)));
-    }
-    const float most = hn::GetLane(hn::MaxOfLanes(tag, largest));
-    exponent_ = most > 0 ? std::max(std::ilogb(most), -126) : 0;
-    scale_ = std::ldexp(1.0f, -exponent_);
-
-    auto longest2 = hn::Zero(tag);
-    for (int i = 0; i < count_; i += kLanes) {
-      const auto x = component(rays.x, i), y = component(rays.y, i), z = component(rays.z, i);
-      const auto length2 =
-          hn::IfThenElseZero(mask_of(bits_at(left, i)), hn::Add(hn::Add(hn::Mul(x, x), hn::Mul(y, y)), hn::Mul(z, z)));
-      hn::Store(length2, tag, length2_ + i);
-      longest2 = hn::Max(longest2, length2);
-    }
-    longest2_ = hn::GetLane(hn::MaxOfLanes(tag, longest2));
+  MeasuredRays(const ReceiverRays& rays, const OcclusionMask& left)
+      : rays_(rays), count_((rays.ray_count + kRaysPerCone - 1) / kRaysPerCone * kRaysPerCone) {
+    measure(left, 1);
+    if (!(longest2_ > 1e-25f && longest2_ < 1e30f)) measure_scaled(left);
   }
 
-  int count() const { return count_; }
+  bool is_empty() const { return !(longest2_ > 0); }
+  int cone_count() const { return count_ / kRaysPerCone; }
   // A little more than the longest ray.
   float radius() const { return std::ldexp(std::sqrt(longest2_) * (1 + 0x1p-20f), exponent_); }
-  HWY_INLINE Floats component(const float* components, int first) const {
-    return hn::Mul(hn::Load(Tag(), components + first), hn::Set(Tag(), scale_));
-  }
-  // Rays that are long enough for the shape of the longest.
-  HWY_INLINE hn::Mask<Tag> are_long(int first) const {
+  // Those that are long enough for the shape of the longest.
+  OcclusionMask long_rays() const {
     const Tag tag;
-    const float least = std::max(longest2_ * kShortest2, 1e-30f);
-    return hn::Ge(hn::Load(tag, length2_ + first), hn::Set(tag, least));
-  }
-  // 1 / length of the scaled rays. Of long ones alone.
-  HWY_INLINE Floats inverse_length(int first) const {
-    const Tag tag;
-    return hn::Div(hn::Set(tag, 1.0f), hn::Sqrt(hn::Load(tag, length2_ + first)));
-  }
-  bool is_empty() const { return !(longest2_ > 0); }
-
- private:
-  const ReceiverRays& rays_;
-  int count_;
-  int exponent_;
-  float scale_;
-  float longest2_;
-  alignas(64) float length2_[kMaxRayCount];
-};
-
-// Unit vectors, zero where a ray is of no account.
-class Directions {
- public:
-  Directions(const ReceiverRays& rays, const ScaledRays& scaled, OcclusionMask& mask) {
-    const Tag tag;
-    for (int i = 0; i < scaled.count(); i += kLanes) {
-      const auto are_long = scaled.are_long(i);
-      mask.words[i / 64] |= std::uint64_t{lut::HWY_NAMESPACE::bits_of(tag, are_long)} << (i % 64);
-      const auto inverse = scaled.inverse_length(i);
-      const auto store = [&](const float* components, float* to) HWY_ATTR {
-        hn::Store(hn::IfThenElseZero(are_long, hn::Mul(scaled.component(components, i), inverse)), tag, to + i);
-      };
-      store(rays.x, x_);
-      store(rays.y, y_);
-      store(rays.z, z_);
+    OcclusionMask mask;
+    const auto least = hn::Set(tag, longest2_ * kShortest2);
+    for (int i = 0; i < count_; i += kLanes) {
+      const std::uint64_t bits = lut::HWY_NAMESPACE::bits_of(tag, hn::Ge(hn::Load(tag, length2_ + i), least));
+      mask.words[i / 64] |= bits << (i % 64);
     }
+    return mask;
   }
+  // What all components of the rays that were left lie between.
+  glm::vec3 least() const { return least_; }
+  glm::vec3 most() const { return most_; }
 
-  // Of the rays of one cone.
-  HWY_INLINE glm::vec3 sum(int first) const {
-    const auto of = [&](const float* components) HWY_ATTR {
-      const Tag tag;
-      auto total = hn::Load(tag, components + first);
-      for (int i = kLanes; i < kRaysPerCone; i += kLanes) total = hn::Add(total, hn::Load(tag, components + first + i));
-      return hn::GetLane(hn::SumOfLanes(tag, total));
-    };
-    return {of(x_), of(y_), of(z_)};
-  }
-
-  // The least cosine of a ray of the cone with a unit vector; 1 where there is no ray.
-  HWY_INLINE float least_cosine(int first, const glm::vec3& axis, const OcclusionMask& mask) const {
+  // Of the rays of a mask between two numbers, multiples of the rays of a cone; scaled.
+  HWY_INLINE glm::vec3 sum(int first, int last, const OcclusionMask& mask) const {
     const Tag tag;
-    auto least = hn::Set(tag, 1.0f);
-    for (int i = first; i < first + kRaysPerCone; i += kLanes) {
-      const auto along = hn::MulAdd(hn::Load(tag, x_ + i), hn::Set(tag, axis.x),
-                                    hn::MulAdd(hn::Load(tag, y_ + i), hn::Set(tag, axis.y),
-                                               hn::Mul(hn::Load(tag, z_ + i), hn::Set(tag, axis.z))));
-      least = hn::Min(least, hn::IfThenElse(mask_of(bits_at(mask, i)), along, hn::Set(tag, 1.0f)));
+    auto x = hn::Zero(tag), y = x, z = x;
+    for (int i = first; i < last; i += kLanes) {
+      const auto is_in = mask_of(bits_at(mask, i));
+      x = hn::Add(x, hn::IfThenElseZero(is_in, component(rays_.x, i)));
+      y = hn::Add(y, hn::IfThenElseZero(is_in, component(rays_.y, i)));
+      z = hn::Add(z, hn::IfThenElseZero(is_in, component(rays_.z, i)));
+    }
+    const auto total = [&](Floats v) HWY_ATTR { return hn::GetLane(hn::SumOfLanes(tag, v)); };
+    return {total(x), total(y), total(z)};
+  }
+
+  // The least cosine of such rays with a unit vector; 1 where there is none.
+  HWY_INLINE float least_cosine(int first, int last, const glm::vec3& axis, const OcclusionMask& mask) const {
+    const Tag tag;
+    const auto one = hn::Set(tag, 1.0f);
+    auto least = one;
+    for (int i = first; i < last; i += kLanes) {
+      const auto along = hn::MulAdd(component(rays_.x, i), hn::Set(tag, axis.x),
+                                    hn::MulAdd(component(rays_.y, i), hn::Set(tag, axis.y),
+                                               hn::Mul(component(rays_.z, i), hn::Set(tag, axis.z))));
+      const auto cosine = hn::Mul(along, inverse_root(hn::Load(tag, length2_ + i)));
+      least = hn::Min(least, hn::IfThenElse(mask_of(bits_at(mask, i)), cosine, one));
     }
     return hn::GetLane(hn::MinOfLanes(tag, least));
   }
 
  private:
-  alignas(64) float x_[kMaxRayCount], y_[kMaxRayCount], z_[kMaxRayCount];
+  HWY_INLINE Floats component(const float* components, int first) const {
+    return hn::Mul(hn::Load(Tag(), components + first), hn::Set(Tag(), scale_));
+  }
+
+  // Within 2^-20 or so: the estimate has 11 bits at least.
+  static HWY_INLINE Floats inverse_root(Floats v) {
+    const Tag tag;
+    const auto estimate = hn::ApproximateReciprocalSqrt(v), half = hn::Mul(v, hn::Set(tag, 0.5f));
+    return hn::Mul(estimate, hn::NegMulAdd(hn::Mul(half, estimate), estimate, hn::Set(tag, 1.5f)));
+  }
+
+  void measure(const OcclusionMask& left, float scale) {
+    scale_ = scale;
+    const Tag tag;
+    const auto infinity = hn::Set(tag, std::numeric_limits<float>::infinity());
+    Floats least[3] = {infinity, infinity, infinity},
+           most[3] = {hn::Neg(infinity), hn::Neg(infinity), hn::Neg(infinity)};
+    auto longest2 = hn::Zero(tag);
+    const float* const components[] = {rays_.x, rays_.y, rays_.z};
+    for (int i = 0; i < count_; i += kLanes) {
+      const auto is_in = mask_of(bits_at(left, i));
+      auto length2 = hn::Zero(tag);
+      for (int axis = 0; axis < 3; ++axis) {
+        const auto value = hn::Load(tag, components[axis] + i), scaled = component(components[axis], i);
+        length2 = hn::Add(length2, hn::Mul(scaled, scaled));
+        least[axis] = hn::Min(least[axis], hn::IfThenElse(is_in, value, infinity));
+        most[axis] = hn::Max(most[axis], hn::IfThenElse(is_in, value, hn::Neg(infinity)));
+      }
+      length2 = hn::IfThenElseZero(is_in, length2);
+      hn::Store(length2, tag, length2_ + i);
+      longest2 = hn::Max(longest2, length2);
+    }
+    longest2_ = hn::GetLane(hn::MaxOfLanes(tag, longest2));
+    for (int axis = 0; axis < 3; ++axis) {
+      least_[axis] = hn::GetLane(hn::MinOfLanes(tag, least[axis]));
+      most_[axis] = hn::GetLane(hn::MaxOfLanes(tag, most[axis]));
+    }
+  }
+
+  HWY_NOINLINE void measure_scaled(const OcclusionMask& left) {
+    const glm::vec3 size = glm::max(glm::abs(least_), glm::abs(most_));
+    const float largest = std::max(size.x, std::max(size.y, size.z));
+    if (!(largest > 0) || std::isinf(largest)) return;  // no rays, or none with a length
+    exponent_ = std::max(std::ilogb(largest), -126);
+    measure(left, std::ldexp(1.0f, -exponent_));
+  }
+
+  const ReceiverRays& rays_;
+  int count_;  // up to whole cones
+  int exponent_ = 0;
+  float scale_ = 1, longest2_ = 0;
+  glm::vec3 least_{0}, most_{0};
+  alignas(64) float length2_[kMaxRayCount];
 };
 
 HWY_INLINE glm::vec3 unit_or_z(const glm::vec3& v) {
@@ -174,8 +191,7 @@ glm::mat3 frame_around(const glm::vec3& axis) {
 }
 
 void set_cone(PatternCones& cones, int i, const glm::vec3& axis, float cosine) {
-  // Rounding: of directions, of the axis, which was turned into the frame, and of their products.
-  cosine -= 2e-6f;
+  cosine -= kRounding;
   cones.x[i] = axis.x;
   cones.y[i] = axis.y;
   cones.z[i] = axis.z;
@@ -184,36 +200,38 @@ void set_cone(PatternCones& cones, int i, const glm::vec3& axis, float cosine) {
   cones.sine[i] = cosine > 0 ? std::sqrt((1 - cosine) * (1 + cosine)) + 1e-7f : 1.0f;
 }
 
-void make_bundle_shape(const ReceiverRays& rays, const OcclusionMask& left, BundleShape& shape) {
-  shape.rays = OcclusionMask();
-  const ScaledRays scaled(rays, left);
-  if (scaled.is_empty()) return;
-  shape.radius = scaled.radius();
-  const Directions directions(rays, scaled, shape.rays);
-
-  const int cone_count = scaled.count() / kRaysPerCone;
-  glm::vec3 sums[PatternCones::kMaxCount], total(0);
-  for (int i = 0; i < cone_count; ++i) {
-    sums[i] = directions.sum(i * kRaysPerCone);
-    total += sums[i];
-  }
-  const glm::vec3 middle = unit_or_z(total);
-  shape.frame = frame_around(middle);
+// Cones of chunks that say where they point.
+void set_cones(const MeasuredRays& measured, BundleShape& shape) {
   const glm::mat3 to_local = glm::transpose(shape.frame);
-  float widest = 1;
-  for (int i = 0; i < cone_count; ++i) {
-    const int first = i * kRaysPerCone;
-    const glm::vec3 axis = unit_or_z(sums[i]);
-    set_cone(shape.cones, i, to_local * axis, directions.least_cosine(first, axis, shape.rays));
-    widest = std::min(widest, directions.least_cosine(first, middle, shape.rays));
+  int i = 0;
+  for (; i < measured.cone_count(); ++i) {
+    const int first = i * kRaysPerCone, last = first + kRaysPerCone;
+    const glm::vec3 axis = unit_or_z(measured.sum(first, last, shape.rays));
+    set_cone(shape.cones, i, to_local * axis, measured.least_cosine(first, last, axis, shape.rays));
   }
   // Vectors of cones are loaded whole.
-  for (int i = cone_count; i % kRaysPerCone != 0; ++i) set_cone(shape.cones, i, glm::vec3(0, 0, 1), -1);
-  widest -= 2e-6f;
-  const bool is_narrow = widest > 1e-3f;
+  for (; i % kRaysPerCone != 0; ++i) set_cone(shape.cones, i, glm::vec3(0, 0, 1), -1);
+}
+
+void make_bundle_shape(const ReceiverRays& rays, const OcclusionMask& left, BundleShape& shape) {
+  shape.rays = OcclusionMask();
+  const MeasuredRays measured(rays, left);
+  if (measured.is_empty()) return;
+  shape.radius = measured.radius();
+  shape.rays = measured.long_rays();
+  const int count = measured.cone_count() * kRaysPerCone;
+  const glm::vec3 middle = unit_or_z(measured.sum(0, count, shape.rays));
+  const float widest = measured.least_cosine(0, count, middle, shape.rays) - kRounding;
+  const bool is_narrow = widest > kNarrow;
+  shape.frame = frame_around(middle);
   shape.up = is_narrow ? middle : glm::vec3(0);
-  shape.cones.widest_cosine = is_narrow ? widest : -1.0f;
-  shape.cones.widest_sine = is_narrow ? std::sqrt((1 - widest) * (1 + widest)) + 1e-6f : 1.0f;
+  PatternCones& cones = shape.cones;
+  cones.widest_cosine = is_narrow ? widest : -1.0f;
+  cones.widest_sine = is_narrow ? std::sqrt((1 - widest) * (1 + widest)) + 1e-6f : 1.0f;
+  cones.is_bundle = is_narrow;
+  cones.least = measured.least();
+  cones.most = measured.most();
+  if (!is_narrow || count >= PatternCones::kRaysWorthCones) set_cones(measured, shape);
 }
 
 }  // namespace

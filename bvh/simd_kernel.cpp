@@ -39,6 +39,7 @@ HWY_AFTER_NAMESPACE();
 #else
 
 #include "bvh/simd/box_masks-inl.h"
+#include "bvh/simd/bundle_box-inl.h"
 #include "bvh/simd/chunk_cones-inl.h"
 #include "bvh/simd/direction_cells-inl.h"
 #include "bvh/simd/leaf_frames-inl.h"
@@ -52,7 +53,7 @@ namespace {
 
 // From so many chunks on, children are visited one after the other as they are tested: what the near ones close spares
 // the tests of the others.
-constexpr int kManyChunks = 16;
+constexpr int kManyChunks = PatternCones::kRaysWorthCones / kLaneCount;
 // A leaf that so many chunks meet is answered triangle by triangle, each with the chunks whose cones meet it.
 constexpr int kChunksWorthCones = 10;
 
@@ -68,18 +69,27 @@ class SimdTraversal {
         rays_(query),
         parts_(query),
         cones_(cones, query.rays.frame, rays_.chunk_count, query.near(), query.far()),
+        bundle_(cones, query.radius),
+        few_(rays_.chunk_count >= kManyChunks ? 32
+             : bundle_.is_of_use()            ? 8
+                                              : 16),
         stream_(layout, query, receiver_, rays_) {
     if (rays_.chunk_count >= kManyChunks) cones_.prepare();
   }
 
   OcclusionMask run() {
     if constexpr (kRemembers) {
-      alignas(64) std::uint32_t cells[kMaxRayCount];
-      find_cells(rays_, cells);
-      visit_first();
-      stream_.guess(cells, query_.memory->leaves());
-      traverse();
-      remember(cells);
+      if (query_.memory->guesses_now()) {
+        alignas(64) std::uint32_t cells[kMaxRayCount];
+        find_cells(rays_, cells);
+        visit_first();
+        stream_.guess(cells, query_.memory->leaves());
+        traverse();
+        remember(cells);
+      } else {
+        visit_first();
+        if (rays_.any_open()) traverse();
+      }
     } else {
       traverse();
     }
@@ -101,7 +111,8 @@ class SimdTraversal {
   // The leaves that blocked most rays of the receivers before.
   void visit_first() {
     BlockerMemory& memory = *query_.memory;
-    const RelativeBoxes<Parts> boxes(memory.first(), query_);
+    RelativeBoxes<Parts> boxes(memory.first(), query_);
+    if (bundle_.is_of_use()) boxes.keep(bundle_.met(boxes));
     for (int child = 0; child < memory.first_count(); ++child) {
       int blocked_count = 0;
       if ((boxes.reached() >> child & 1) != 0) {
@@ -121,6 +132,9 @@ class SimdTraversal {
       if (query_.open.test(ray)) leaves[cells[ray]] = is_open ? BlockerMemory::kNone : rays_.blockers[ray];
     }
   }
+
+  // Narrow bundles of few rays do without.
+  bool has_cones() const { return !bundle_.is_of_use() || rays_.chunk_count >= kManyChunks; }
 
   // A leaf that blocks so many is worth a place among the first.
   int many_rays() const { return std::max(2, query_.rays.ray_count / 32); }
@@ -154,7 +168,8 @@ class SimdTraversal {
   // come first: the builder puts those with the fewest triangles there, among them large ones by themselves, which
   // block most for the least work.
   void visit(const Node& node, const ActiveRays& active) {
-    const RelativeBoxes<Parts> boxes(node, query_);
+    RelativeBoxes<Parts> boxes(node, query_);
+    if (bundle_.is_of_use()) boxes.keep(bundle_.met(boxes));
     if (rays_.chunk_count >= kManyChunks) {
       visit_in_turn(node, boxes, active);
     } else {
@@ -181,7 +196,7 @@ class SimdTraversal {
     const std::uint32_t inside = boxes.holding_origin(), outside = boxes.reached() & ~inside;
     ChunkMasks met[kWidth];
     ActiveRays rays[kWidth];
-    if (ChunkCones::Node8::kFits && std::popcount(outside) >= 3) {
+    if (ChunkCones::Node8::kFits && !bundle_.is_of_use() && std::popcount(outside) >= 3) {
       test_pairs(boxes, outside, open, met, rays);
     } else {
       for (std::uint32_t children = outside; children != 0; children &= children - 1) {
@@ -229,8 +244,7 @@ class SimdTraversal {
 
   // A node that few rays meet goes to the stream, and a leaf that few rays of a chunk meet on average.
   void visit(ChildRef child, const Node& parent, int place, const ActiveRays& rays) {
-    const int few = child.is_leaf() ? std::popcount(rays.chunks) : rays_.chunk_count >= kManyChunks ? 32 : 16;
-    if (rays.count <= few) {
+    if (rays.count <= (child.is_leaf() ? std::popcount(rays.chunks) : few_)) {
       stream_.push(child, rays);
     } else if (child.is_leaf()) {
       const int blocked_count = visit(layout_.leaves[child.index()], rays);
@@ -251,7 +265,7 @@ class SimdTraversal {
     if (reached == 0) return 0;
     const LeafPlanes planes(frames, query_.radius, reached);
     int blocked_count = 0;
-    const bool use_cones = std::popcount(active.chunks) >= kChunksWorthCones;
+    const bool use_cones = std::popcount(active.chunks) >= kChunksWorthCones && has_cones();
     if (!use_cones && std::popcount(reached) > 2) {
       for_each_chunk(active.chunks, [&](int chunk) {
         blocked_count += close(leaf, chunk, active.masks[chunk], planes.blocked(rays_, parts_, chunk));
@@ -306,6 +320,8 @@ class SimdTraversal {
   RaySet rays_;
   Parts parts_;
   ChunkCones cones_;
+  BundleBox bundle_;
+  int few_;             // rays of a node that go to the stream: not as many where they stay together
   int test_count_ = 0;  // of a chunk and a box
   RayStream<Parts, kRemembers> stream_;
 };
@@ -318,7 +334,9 @@ HWY_NOINLINE OcclusionMask traverse(const Layout& layout, const Query& query, co
 
 template <class Parts>
 OcclusionMask trace(const Layout& layout, const Query& query, const PatternCones& cones) {
-  const bool remembers = query.memory != nullptr && query.memory->should_guess();
+  // What blocked many rays of a bundle is worth a first look in any case: it may well block all of the next one.
+  const bool guesses = query.memory != nullptr && query.memory->should_guess();
+  const bool remembers = guesses || (query.memory != nullptr && cones.is_bundle);
   return remembers ? traverse<Parts, true>(layout, query, cones) : traverse<Parts, false>(layout, query, cones);
 }
 

@@ -66,6 +66,12 @@ class RelativeBoxes {
   // Children that rays may reach.
   std::uint32_t reached() const { return reached_; }
 
+  // Leaves out the others.
+  void keep(std::uint32_t children) {
+    reached_ &= children;
+    inside_ &= children;
+  }
+
   // Of those, children whose boxes hold the origin: all rays meet them, for parts of rays all may.
   std::uint32_t holding_origin() const { return inside_; }
 

@@ -39,6 +39,7 @@ class RaySet {
     std::memcpy(mask.words, open, sizeof(open));
     return mask;
   }
+  bool any_open() const { return open_mask().any(); }
   bool is_open(std::uint32_t ray) const { return (open[ray / kLaneCount] >> (ray % kLaneCount) & 1) != 0; }
   // Of rays by number, those that are open. Where a number is none of a ray there may be anything.
   template <class Tag>
