@@ -37,6 +37,7 @@
 #include "lkao/receiver_rays.h"
 #include "lkao/requirements.h"
 #include "lkao/sample_pattern.h"
+#include "lkao/sky_visibility.h"
 #include "lkao/soft_shadows.h"
 #include "lkao/version.h"
 #include "lkao/weighting.h"

@@ -3,11 +3,13 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "cli/commands.h"
 #include "cli/json_output.h"
+#include "cli/light_option.h"
 #include "cli/method_options.h"
 #include "cli/normals_option.h"
 #include "cli/options.h"
@@ -53,6 +55,10 @@ Json document_of(const RenderingOptions& options, const Rendering& result) {
   document["camera"] = camera_json(result.camera, result.scene.mesh.origin);
   add_scene_keys(document, result.scene);
   add_surroundings_keys(document, options.scene, result.scene);
+  if (options.light) {
+    document["light"] = light_json(*options.light);
+    document["visibility_mean"] = 1 - result.batch.occlusion_mean();
+  }
   if (result.chain) document["lod"] = lod_json(*result.chain, static_cast<float>(result.radius), result.lod_seconds);
   document["build_seconds"] = result.build_seconds;
   for (const auto& [word, seconds] : result.own_build_seconds) document[word + "_build_seconds"] = seconds;
@@ -74,6 +80,9 @@ void print_table(const RenderOptions& options, const Rendering& result) {
   }
   add_remark_rows(table, result.remarks);
   add_batch_rows(table, *options.rendering.method.kind, result.batch);
+  if (options.rendering.light) {
+    table.add("mean visibility", fmt::format("{:.4f} of the light", 1 - result.batch.occlusion_mean()));
+  }
   table.add("wrote", options.output + (options.preview.empty() ? "" : ", " + options.preview));
   table.print();
 }
@@ -86,6 +95,22 @@ void check_abilities(const RenderingOptions& options) {
   }
   if (options.lod) require_ability(options.method, &method::Abilities::levels, "--lod");
   if (options.layers.bent_normals) require_ability(options.method, &method::Abilities::bent_normals, "--bent-normals");
+}
+
+// Rays to a light have lengths and weights of their own.
+void check_light(const RenderingOptions& options) {
+  if (!options.light) return;
+  require_ability(options.method, &method::Abilities::lights, "--light");
+  const OcclusionOptions& occlusion = options.occlusion;
+  const std::pair<const char*, bool> others[] = {{"--radius", occlusion.radius.has_value()},
+                                                 {"--falloff", occlusion.falloff.name() != "constant"},
+                                                 {"--weighting", occlusion.weighting != Weighting::cosine},
+                                                 {"--min-distance", occlusion.min_distance > 0},
+                                                 {"--lod", options.lod.has_value()},
+                                                 {"--bent-normals", options.layers.bent_normals}};
+  for (const auto& [name, is_given] : others) {
+    if (is_given) throw std::invalid_argument(fmt::format("--light has no use for {}: rays end at the light", name));
+  }
 }
 
 // Levels of a file are those of the scene alone, as it is there.
@@ -110,6 +135,7 @@ void check_options(const RenderOptions& options) {
   }
   check_method(options.rendering.method);
   check_abilities(options.rendering);
+  check_light(options.rendering);
   check_levels(options.rendering);
   const CameraOptions& camera = options.rendering.camera;
   if (camera.eye && camera.target && *camera.eye == *camera.target) {
@@ -140,7 +166,9 @@ void render(const RenderOptions& options) {
   report_oddities(result);
 
   progress.begin("writing " + options.output);
-  write_rendering(image_path, result.view, result.batch, options.rendering.layers);
+  ImageLayers layers = options.rendering.layers;
+  layers.visibility = options.rendering.light.has_value();
+  write_rendering(image_path, result.view, result.batch, layers);
   if (!preview_path.empty()) write_rendering(preview_path, result.view, result.batch, {});
   progress.clear();
   json.write_and_commit(document_of(options.rendering, result));
@@ -165,13 +193,20 @@ void add_options(CLI::App& app, RenderOptions& options) {
       "(epsilon: from the radius, or where that is infinite from the scene's diagonal), or a file of lkao simplify. "
       "With --reference: against the whole scene")
       ->type_name("KEY=NUMBER,...|FILE");
+  add_parsed(
+      app, "--light", rendering.light, parse_light,
+      "Soft shadows of a sphere, or with a normal of a disc, instead of ambient occlusion: which share of it is "
+      "seen, of a disc by area, of a sphere by solid angle. Takes no --radius; --samples are points of the light")
+      ->type_name("X,Y,Z,RADIUS[,NX,NY,NZ]");
   app.add_flag("--reference", rendering.reference,
                "Cast the same rays through Embree too (where it is the method: by bvh) and count differences");
   app.add_flag("--bent-normals", rendering.layers.bent_normals, "Add the channels bent.X, bent.Y, bent.Z (.exr)");
   app.add_flag("--depth", rendering.layers.depth, "Add the channel depth.Z: infinity where nothing is seen (.exr)");
   app.add_flag("--normal-channels", rendering.layers.normals, "Add the channels normal.X, normal.Y, normal.Z (.exr)");
   add_common_options(app, options.common);
-  app.footer("An .exr has the channel occlusion: 0 is open, 1 fully blocked, and 0 where nothing is seen.");
+  app.footer(
+      "An .exr has the channel occlusion: 0 is open, 1 fully blocked, and 0 where nothing is seen. With --light it is "
+      "visibility instead: 1 sees all of the light, 0 nothing of it; and 1 where nothing is seen.");
 }
 
 }  // namespace

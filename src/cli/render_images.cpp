@@ -24,6 +24,13 @@ void fill(image::Image& image, const std::string& channel, const scene::Receiver
   }
 }
 
+void fill_all(image::Image& image, const std::string& channel, float value) {
+  const auto stride = static_cast<std::size_t>(image.channel_count());
+  for (auto i = static_cast<std::size_t>(image.channel(channel)); i < image.pixels.size(); i += stride) {
+    image.pixels[i] = value;
+  }
+}
+
 template <class VectorOf>
 void fill_vectors(image::Image& image, const std::string& layer, const scene::ReceiverImage& view, VectorOf vector_of) {
   fill(image, layer + ".X", view, [&](std::size_t pixel) { return vector_of(pixel).x; });
@@ -32,7 +39,7 @@ void fill_vectors(image::Image& image, const std::string& layer, const scene::Re
 }
 
 std::vector<std::string> channel_names(const ImageLayers& layers) {
-  std::vector<std::string> names = {"occlusion"};
+  std::vector<std::string> names = {layers.visibility ? "visibility" : "occlusion"};
   if (layers.bent_normals) names.insert(names.end(), {"bent.X", "bent.Y", "bent.Z"});
   if (layers.depth) names.push_back("depth.Z");
   if (layers.normals) names.insert(names.end(), {"normal.X", "normal.Y", "normal.Z"});
@@ -41,7 +48,12 @@ std::vector<std::string> channel_names(const ImageLayers& layers) {
 
 image::Image make_layers(const scene::ReceiverImage& view, const method::Batch& batch, const ImageLayers& layers) {
   image::Image image = blank(view, channel_names(layers), 0);
-  fill(image, "occlusion", view, [&](std::size_t pixel) { return batch.occlusion[pixel]; });
+  if (layers.visibility) {
+    fill_all(image, "visibility", 1);
+    fill(image, "visibility", view, [&](std::size_t pixel) { return 1 - batch.occlusion[pixel]; });
+  } else {
+    fill(image, "occlusion", view, [&](std::size_t pixel) { return batch.occlusion[pixel]; });
+  }
   if (layers.bent_normals)
     fill_vectors(image, "bent", view, [&](std::size_t pixel) { return batch.bent_normals[pixel]; });
   if (layers.normals)

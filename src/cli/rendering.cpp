@@ -1,5 +1,6 @@
 #include "cli/rendering.h"
 
+#include <limits>
 #include <memory>
 
 #include <fmt/format.h>
@@ -30,7 +31,8 @@ Methods open(const RenderingOptions& options) {
 void load(const RenderingOptions& options, Rendering& result, ProgressBar& progress) {
   progress.begin("loading " + options.scene.name);
   result.scene = load_scene(options.scene);
-  result.radius = resolve_radius(options.occlusion.radius, result.scene);
+  result.radius =
+      options.light ? std::numeric_limits<double>::infinity() : resolve_radius(options.occlusion.radius, result.scene);
   result.normals = choose_normals(options.normals, result.scene);
   const float aspect = static_cast<float>(options.size.width) / static_cast<float>(options.size.height);
   result.camera = choose_camera(options.camera, result.scene, aspect);
@@ -88,7 +90,8 @@ Rendering compute_rendering(const RenderingOptions& options, ProgressBar& progre
   Rendering result;
   const Methods methods = open(options);  // first: where there is no such device, nothing else is worth doing
   load(options, result, progress);
-  const method::Question question = options.occlusion.question(result.radius);
+  method::Question question = options.occlusion.question(result.radius);
+  if (options.light) question.light = area_light(*options.light, result.scene.mesh.origin);
   make_levels(options, question.radius, result, progress);
   find_receivers(options, result, progress);
   prepare(methods, options, question, result, progress);

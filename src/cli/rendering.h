@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cli/camera_options.h"
+#include "cli/light_option.h"
 #include "cli/lod_option.h"
 #include "cli/method_options.h"
 #include "cli/options.h"
@@ -29,12 +30,13 @@ struct RenderingOptions {
   CameraOptions camera;
   OcclusionOptions occlusion;
   std::optional<LodOption> lod;
+  std::optional<LightOption> light;
   std::optional<scene::NormalSource> normals;
 };
 
 struct Rendering {
   SceneInput scene;
-  double radius = 0;  // in the scene's unit
+  double radius = 0;  // in the scene's unit; infinite where a light is asked about
   scene::Camera camera;
   scene::NormalSource normals = scene::NormalSource::facet;
   std::optional<lod::Chain> chain;  // where there are levels of detail

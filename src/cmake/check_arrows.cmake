@@ -41,9 +41,10 @@ set(gpu_may_include_screen gl frame screen)
 
 # Public headers that stay on one side.
 set(cpu_headers lkao/lkao.h lkao/occluder_bvh.h lkao/ambient_occlusion.h lkao/neighbourhood.h lkao/kernel.h
-                lkao/ray_bundles.h lkao/soft_shadows.h)
+                lkao/ray_bundles.h lkao/sky_visibility.h lkao/soft_shadows.h)
 set(lut_never_sees ${cpu_headers})
-set(bvh_never_sees lkao/lkao.h lkao/ambient_occlusion.h lkao/neighbourhood.h lkao/ray_bundles.h lkao/soft_shadows.h)
+set(bvh_never_sees lkao/lkao.h lkao/ambient_occlusion.h lkao/neighbourhood.h lkao/ray_bundles.h
+                   lkao/sky_visibility.h lkao/soft_shadows.h)
 set(gl_parts src/raster src/method bench)
 
 set(offender_count 0)

@@ -1,6 +1,7 @@
 // The reference: the rays of the library's query, cast one by one through Embree, among the whole scene.
 #include <optional>
 
+#include "method/hidden_share.h"
 #include "method/kernel_setting.h"
 #include "method/kinds.h"
 #include "method/stopwatch.h"
@@ -9,7 +10,7 @@
 namespace lkao::method {
 namespace {
 
-Abilities abilities(const Settings&) { return {.levels = false}; }
+Abilities abilities(const Settings&) { return {.levels = false, .lights = true}; }
 
 class Embree : public Method {
  public:
@@ -17,7 +18,14 @@ class Embree : public Method {
 
   void prepare(const Task& task) override {
     const Question& question = task.question;
-    query_.emplace(task.occluders.hierarchies(), question.pattern(), question.ray_options());
+    query_.reset();
+    shadows_.reset();
+    if (question.light) {
+      shadows_.emplace(task.occluders.hierarchies().front().occluders, *question.light, question.pattern(),
+                       question.shadow_options());
+    } else {
+      query_.emplace(task.occluders.hierarchies(), question.pattern(), question.ray_options());
+    }
     const Stopwatch watch;
     embree_.emplace(task.occluders.mesh());
     build_seconds_ = watch.seconds();
@@ -27,6 +35,11 @@ class Embree : public Method {
 
   Answered answer(std::span<const Receiver> receivers, const QueryOutputs& outputs,
                   std::uint64_t first_index) override {
+    if (shadows_) {
+      return answer_hidden_share(outputs, [&](const ShadowOutputs& shares) {
+        return embree_.value().query(*shadows_, receivers, shares, first_index);
+      });
+    }
     const Stopwatch watch;
     const QueryReport report = embree_.value().query(query_.value(), receivers, outputs, first_index);
     return {report, watch.seconds()};
@@ -36,7 +49,8 @@ class Embree : public Method {
 
  private:
   KernelChoice kernel_;
-  std::optional<AmbientOcclusion> query_;  // whose rays are cast
+  std::optional<AmbientOcclusion> query_;  // whose rays are cast: one of these
+  std::optional<SoftShadows> shadows_;
   std::optional<reference::EmbreeReference> embree_;
   double build_seconds_ = 0;
 };

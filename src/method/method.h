@@ -31,6 +31,7 @@ struct Abilities {
   bool min_distance = true;  // Question::min_distance
   bool one_sided = true;     // Sidedness::one_sided
   bool uniform_weighting = true;
+  bool lights = false;  // Question::light
   bool constant_falloff = true, linear_falloff = true, other_falloffs = true;
 };
 

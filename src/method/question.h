@@ -2,10 +2,13 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
+#include "lkao/area_light.h"
 #include "lkao/plane_mask_table.h"
 #include "lkao/receiver.h"
 #include "lkao/sample_pattern.h"
+#include "lkao/soft_shadows.h"
 #include "method/words.h"
 
 namespace lkao::method {
@@ -28,6 +31,11 @@ struct Question {
   RayOptions ray_options() const {
     return {.radius = radius, .sidedness = sidedness, .seed = seed, .min_distance = min_distance};
   }
+  // What share of this light is hidden, instead of ambient occlusion: then neither radius nor weighting, falloff and
+  // min_distance are of account.
+  std::optional<AreaLight> light = {};
+
+  ShadowOptions shadow_options() const { return {.sidedness = sidedness, .seed = seed}; }
   SamplePattern pattern() const;
   PlaneMaskTable table(PlaneMasks masks) const;
   // Rays beyond everything, of several lengths: shares of infinity that no table holds.

@@ -2,6 +2,7 @@
 #include <optional>
 
 #include "lkao/isa.h"
+#include "method/hidden_share.h"
 #include "method/kernel_setting.h"
 #include "method/kinds.h"
 #include "method/stopwatch.h"
@@ -21,20 +22,37 @@ AmbientOcclusion make_query(Occluders& occluders, const Question& question, Kern
           kernel == KernelChoice::scalar ? Kernel::scalar : Kernel::simd};
 }
 
+SoftShadows make_shadows(Occluders& occluders, const Question& question, KernelChoice kernel) {
+  return {occluders.hierarchies().front().occluders, *question.light, question.pattern(), question.shadow_options(),
+          kernel == KernelChoice::scalar ? Kernel::scalar : Kernel::simd};
+}
+
 // Tables have all lengths as shares of the radius, and one hierarchy.
 Abilities abilities(const Settings& settings) {
   const bool is_free = !has_table(kernel_of(settings));
-  return {.levels = is_free, .infinite_lengths = is_free};
+  return {.levels = is_free, .infinite_lengths = is_free, .lights = is_free};
 }
 
 class Traversal : public Method {
  public:
   explicit Traversal(const Settings& settings) : Method(method::abilities(settings)), kernel_(kernel_of(settings)) {}
 
-  void prepare(const Task& task) override { query_.emplace(make_query(task.occluders, task.question, kernel_)); }
+  void prepare(const Task& task) override {
+    query_.reset();
+    shadows_.reset();
+    if (task.question.light) {
+      shadows_.emplace(make_shadows(task.occluders, task.question, kernel_));
+    } else {
+      query_.emplace(make_query(task.occluders, task.question, kernel_));
+    }
+  }
 
   Answered answer(std::span<const Receiver> receivers, const QueryOutputs& outputs,
                   std::uint64_t first_index) override {
+    if (shadows_) {
+      return answer_hidden_share(
+          outputs, [&](const ShadowOutputs& shares) { return shadows_->query(receivers, shares, first_index); });
+    }
     const Stopwatch watch;
     const QueryReport report = query_.value().query(receivers, outputs, first_index);
     return {report, watch.seconds()};
@@ -44,7 +62,8 @@ class Traversal : public Method {
 
  private:
   KernelChoice kernel_;
-  std::optional<AmbientOcclusion> query_;
+  std::optional<AmbientOcclusion> query_;  // one of these
+  std::optional<SoftShadows> shadows_;
 };
 
 }  // namespace
