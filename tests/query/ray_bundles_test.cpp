@@ -90,13 +90,16 @@ TEST_P(RayBundlesBy, EveryTriangleAlone) {
   EXPECT_GT(open_count, 500);
 }
 
-// Beside the edges of a triangle a millionth as large as the longest ray, within what rounding grants that one.
+// Beside the edge of a triangle a millionth as large as the longest ray, within what rounding grants that one, and
+// within the triangle's box.
 TEST_P(RayBundlesBy, LongRaysDoNotWidenTrianglesForShortOnes) {
-  constexpr float kSize = 1e-6f;
+  constexpr float kSize = 1e-6f, kBeside = 1e-4f * kSize;
   tests::Mesh mesh;
-  tests::add_quad(mesh, {0, -kSize, kSize}, {kSize, 0, 0}, {0, 2 * kSize, 0});
+  mesh.positions = {{-kSize, -kSize, kSize}, {kSize, -kSize, kSize}, {kSize, kSize, kSize}};
+  mesh.triangles = {{0, 1, 2}};
   const RayBundles bundles = bundles_of(mesh);
-  const Rays rays = {{-1e-4f * kSize, 0, 1.5f * kSize}, {1e-4f * kSize, 0, 1.5f * kSize}, {-1e6f, 1, 2}, {0, 0, -1e3f}};
+  const Rays rays = {
+      {-kBeside, kBeside, 1.5f * kSize}, {kBeside, -kBeside, 1.5f * kSize}, {-1e6f, 1, 2}, {0, 0, -1e3f}};
   const OcclusionMask blocked = bundles.blocked({}, rays);
   EXPECT_FALSE(blocked.test(0));
   EXPECT_TRUE(blocked.test(1));
