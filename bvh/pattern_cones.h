@@ -20,8 +20,8 @@ struct PatternCones {
   alignas(64) float cosine[kMaxCount] = {}, sine[kMaxCount] = {};
   // Of an angle that no direction of the pattern exceeds to the z axis: the cosine no more, the sine no less.
   float widest_cosine = -1, widest_sine = 1;
-  // A narrow bundle (bundle_shape.h): no component of its rays, in world space, is less or more than this. Of fewer than
-  // kRaysWorthCones there are no cones.
+  // A narrow bundle (bundle_shape.h): no component of its rays, in world space, is less or more than this. Of fewer
+  // than kRaysWorthCones there are no cones.
   bool is_bundle = false;
   glm::vec3 least{0}, most{0};
   static constexpr int kRaysWorthCones = 256;

@@ -9,7 +9,7 @@
 #include "lkao/ambient_occlusion.h"
 #include "lkao/export.h"
 #include "lkao/kernel.h"
-#include "lkao/occluder_bvh.h"
+#include "lkao/occluder_scene.h"
 #include "lkao/progress.h"
 #include "lkao/receiver.h"
 #include "lkao/requirements.h"
@@ -41,7 +41,7 @@ class LKAO_API SkyVisibility {
  public:
   // `ray_count`: of the whole sphere, rounded up to an even number; from 2 to twice kMaxRayCount. Throws
   // std::invalid_argument, naming the argument and its value, where that or an option is out of range.
-  explicit SkyVisibility(OccluderBvh occluders, int ray_count = 256, const SkyOptions& options = {},
+  explicit SkyVisibility(OccluderScene occluders, int ray_count = 256, const SkyOptions& options = {},
                          Kernel kernel = Kernel::simd);
 
   // One receiver, in the calling thread; `index` with the seed gives the jitter.

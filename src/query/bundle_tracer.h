@@ -29,9 +29,9 @@ class BundleTracer {
     // For bundles whose origins and ends lie within these boxes: enters as deep as that allows.
     Visit(const BundleTracer& tracer, const Bounds& origins, const Bounds& ends);
 
-    // Those of rays.cast that are blocked, of a receiver that excludes what `receiver` does. Of `rays`, origin, ray_count, cast and the components must be set,
-    // components of at most 1e18, up to a whole word of the mask; the other members are of use to kernels and are set
-    // here.
+    // Those of rays.cast that are blocked, of a receiver that excludes what `receiver` does. Of `rays`, origin,
+    // ray_count, cast and the components must be set, components of at most 1e18, up to a whole word of the mask; the
+    // other members are of use to kernels and are set here.
     OcclusionMask trace(const Receiver& receiver, ReceiverRays& rays);
 
    private:

@@ -50,8 +50,7 @@ ShadowTracer::ShadowTracer(OccluderScene occluders, const AreaLight& light, Samp
       options_(options),
       ray_options_{.radius = 1, .surface_offset = options.surface_offset},
       disk_(disk_of(pattern_)),
-      largest_coordinate_(bundles_.occluders().report().occluder_count > 0 ? largest_of(bundles_.occluders().bounds())
-                                                                           : 0),
+      largest_coordinate_(bundles_.occluders().occluder_count() > 0 ? largest_of(bundles_.occluders().bounds()) : 0),
       largest_at_light_(std::max(largest_coordinate_, largest_of(bounds_of(light)))) {}
 
 bool ShadowTracer::make_rays(const Receiver& receiver, std::uint64_t index, ReceiverRays& rays) const {

@@ -42,7 +42,7 @@ SkyShares shares_of(float occlusion_above, float occlusion_below) {
 
 }  // namespace
 
-SkyVisibility::SkyVisibility(OccluderBvh occluders, int ray_count, const SkyOptions& options, Kernel kernel)
+SkyVisibility::SkyVisibility(OccluderScene occluders, int ray_count, const SkyOptions& options, Kernel kernel)
     : above_(occluders, half_pattern(ray_count), ray_options(options, options.seed), kernel),
       below_(std::move(occluders), half_pattern(ray_count), ray_options(options, options.seed ^ kOtherSeed), kernel) {}
 

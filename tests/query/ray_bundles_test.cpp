@@ -171,7 +171,7 @@ TEST_P(RayBundlesBy, LengthsAtTheEndsOfTheRange) {
     const Rays rays = {glm::vec3(0.1f, 0.2f, 1.5f) * size, glm::vec3(0.1f, 0.2f, 0.9f) * size,
                        glm::vec3(1.6f, 0, 1.5f) * size};
     // What is smaller than the margin of boxes may have no area left; then nothing is blocked.
-    const bool is_there = bundles.occluders().report().occluder_count > 0;
+    const bool is_there = bundles.occluders().occluder_count() > 0;
     EXPECT_EQ(bundles.blocked({}, rays).words[0], is_there ? 1u : 0u) << size;
     EXPECT_TRUE(is_there || size < 1e-30f) << size;
   }

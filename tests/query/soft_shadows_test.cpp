@@ -16,6 +16,7 @@
 #include <glm/geometric.hpp>
 
 #include "lkao/ray_bundles.h"
+#include "support/instances.h"
 #include "support/kernel_choice.h"
 #include "support/meshes.h"
 #include "support/receivers.h"
@@ -236,6 +237,32 @@ TEST_P(SoftShadowsBy, BitsAreThoseOfTheDefinition) {
       ASSERT_EQ(rays.cast & bundles.blocked(rays.origin, bundle, receivers[k].excluded_primitive), expected.blocked);
     }
   }
+}
+
+// A scene of instances has the shadows of the one mesh that it stands for.
+TEST_P(SoftShadowsBy, InstancesCastTheShadowsOfOneMesh) {
+  lut::RandomStream random(215);
+  const Mesh mesh = tests::random_soup(300, 0.2f, 216);
+  std::vector<MeshInstance> instances;
+  instances.reserve(6);
+  for (int i = 0; i < 6; ++i) {
+    const glm::vec3 scale(i % 2 == 0 ? 0.4f : -0.3f, 0.4f, 0.5f);
+    instances.push_back(
+        tests::instance_of(mesh, tests::random_transform(random, scale, tests::random_point(random, 1))));
+  }
+  const ShadowOptions options{.surface_offset = 0};
+  const SphereLight light{{0, 2, 0}, 0.5f};
+  const SamplePattern& pattern = SamplePattern::standard(100);
+  const SoftShadows definition(OccluderBvh(tests::flattened(instances).view()), light, pattern, options,
+                               Kernel::scalar);
+  const SoftShadows shadows(OccluderScene(instances), light, pattern, options, GetParam().kernel);
+  const std::vector<Receiver> receivers = tests::random_receivers(100, 1, 217);
+  std::vector<std::uint64_t> words(2 * receivers.size()), expected(2 * receivers.size());
+  const QueryReport report = definition.query(receivers, {.mask_words = expected});
+  EXPECT_GT(report.blocked_ray_count, report.ray_count / 20);
+  EXPECT_LT(report.blocked_ray_count, report.ray_count * 19 / 20);
+  shadows.query(receivers, {.mask_words = words});
+  EXPECT_EQ(words, expected);
 }
 
 TEST(SoftShadows, AnyNumberOfThreadsGivesTheSameBits) {
