@@ -114,7 +114,7 @@ bool place_rays(PlacedRays& placed) {
   if (!(rays.radius < 1e18f && rays.radius > 1e-18f) || !(glm::length(rays.origin) < 1e18f)) return false;
   if (world.parts != nullptr) pick_parts(placed);
   const glm::vec3 off = uncertainty(placed);
-  placed.displacement = 1.0001f * (off.x + off.y + off.z);
+  placed.displacement = 1.0001f * glm::length(off);
   placed.face_origins[0] = rays.origin + 1.0001f * off;
   placed.face_origins[1] = rays.origin - 1.0001f * off;
   for (int axis = 0; axis < 3; ++axis) {

@@ -50,13 +50,14 @@ class SceneTraversal {
   }
 
  private:
-  // `active`: rays that may meet the node, some of them perhaps blocked by now. Nearest children first would be better;
-  // the last ones, which the builder gives the fewest instances, cost no sorting.
+  // `active`: rays that may meet the node, some of them perhaps blocked by now. The nearest children come first: what
+  // they block spares the others, each of which costs the rays a way to another space.
   void visit(const Node& node, const ActiveRays& active) {
     const RelativeBoxes<Parts> boxes(node, query_);
-    for (std::uint32_t children = boxes.reached(); children != 0;) {
-      const int child = 31 - std::countl_zero(children);
-      children ^= 1u << child;
+    int order[kWidth];
+    const int count = order_children(boxes, order);
+    for (int i = 0; i < count; ++i) {
+      const int child = order[i];
       ChunkMasks met;
       const ActiveRays rays = rays_meeting(boxes, child, active, met);
       if (rays.count == 0) continue;
@@ -67,6 +68,19 @@ class SceneTraversal {
         visit(scene_.nodes[ref.index()], rays);
       }
     }
+  }
+
+  static int order_children(const RelativeBoxes<Parts>& boxes, int (&order)[kWidth]) {
+    float distances[kWidth];
+    int count = 0;
+    for (std::uint32_t children = boxes.reached(); children != 0; children &= children - 1) {
+      const int child = std::countr_zero(children);
+      distances[child] = boxes.center_distance2(child);
+      int place = count++;
+      for (; place > 0 && distances[order[place - 1]] > distances[child]; --place) order[place] = order[place - 1];
+      order[place] = child;
+    }
+    return count;
   }
 
   // Open rays of `active` that may meet the child.

@@ -78,6 +78,10 @@ class RelativeBoxes {
   // Faces of a child's box, a little outside of where they are.
   float lower(int axis, int child) const { return center_[axis][child] - half_size_[axis][child]; }
   float upper(int axis, int child) const { return center_[axis][child] + half_size_[axis][child]; }
+  float center_distance2(int child) const {
+    return center_[0][child] * center_[0][child] + center_[1][child] * center_[1][child] +
+           center_[2][child] * center_[2][child];
+  }
   // The same of as many children as a vector holds, from `first` on.
   HWY_INLINE hn::Vec<BoxTag> lowers(int axis, int first) const {
     const BoxTag tag;
