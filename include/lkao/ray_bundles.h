@@ -50,7 +50,8 @@ struct RayBundle {
 // are remembered: as said at AmbientOcclusion, and 50 KiB of stack more.
 class LKAO_API RayBundles {
  public:
-  explicit RayBundles(OccluderScene occluders, Sidedness sidedness = Sidedness::two_sided, Kernel kernel = Kernel::simd);
+  explicit RayBundles(OccluderScene occluders, Sidedness sidedness = Sidedness::two_sided,
+                      Kernel kernel = Kernel::simd);
 
   // One bundle, in the calling thread. Bit i: rays[i] is blocked. Throws std::invalid_argument where the number of rays
   // is out of range, a coordinate of the origin is no number or beyond 1e18, or one of a ray no number or beyond 5e17,
