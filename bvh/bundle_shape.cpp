@@ -93,7 +93,7 @@ class MeasuredRays {
   glm::vec3 least() const { return least_; }
   glm::vec3 most() const { return most_; }
 
-  // Of the rays of a mask between two numbers, multiples of the rays of a cone; scaled.
+  // Of those rays of the mask whose numbers are from `first` to before `last`, multiples of the rays of a cone; scaled.
   HWY_INLINE glm::vec3 sum(int first, int last, const OcclusionMask& mask) const {
     const Tag tag;
     auto x = hn::Zero(tag), y = x, z = x;

@@ -35,8 +35,8 @@ struct ShadowOptions {
   float rotation = 1.0f;
   // With a receiver's index, the only source of its turn.
   std::uint64_t seed = 0;
-  // As RayOptions::surface_offset. Rays end as far before the light as they begin off the surface, so that what the
-  // light touches, a ceiling with a disc in it, does not hide it.
+  // As RayOptions::surface_offset. Rays end before the light by the same rule, with its coordinates in play too, so
+  // that what the light touches, a ceiling with a disc in it, does not hide it.
   float surface_offset = kAutomaticSurfaceOffset;
 };
 
