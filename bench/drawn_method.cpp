@@ -13,11 +13,11 @@
 namespace lkao::bench {
 
 std::vector<float> cast_rays(const StudyScene& scene, float radius, const Falloff& falloff, int turn_count) {
-  const OccluderBvh bvh({scene.mesh.positions, scene.mesh.triangles});
+  const std::vector<OccluderLevel> occluders = {{.occluders = OccluderBvh(scene.mesh.view())}};
   const SamplePattern pattern = SamplePattern::standard(kMaxRayCount).with_falloff(falloff);
   MeanPicture picture;
   for (int turn = 0; turn < turn_count; ++turn) {
-    picture.add(cast_rays({{bvh}}, scene.view.receivers, radius, pattern, turn));
+    picture.add(cast_rays(occluders, scene.view.receivers, radius, pattern, turn));
   }
   return picture.mean();
 }
