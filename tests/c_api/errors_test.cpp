@@ -227,6 +227,14 @@ TEST_F(CErrors, LeaveNoHandleBehind) {
   EXPECT_EQ(lkao_live_handle_count(), before);
 }
 
+TEST_F(CErrors, OfMoreThanFitsIntoMemory) {
+  lkao_ao* ao = nullptr;
+  const lkao_level level = LKAO_LEVEL_INIT;
+  expect_error(
+      lkao_ao_create_levels(&level, std::numeric_limits<std::size_t>::max(), pattern_.get(), &options_, LKAO_SIMD, &ao),
+      "lkao_ao_create_levels: more than fits into memory", LKAO_ERROR_OUT_OF_MEMORY);
+}
+
 TEST_F(CErrors, OfStructsWithoutTheirSize) {
   receiver_.size = 0;
   expect_error(lkao_ao_query(ao_.get(), &receiver_, 0, &answer_),
