@@ -89,13 +89,13 @@ TEST(CPattern, FalloffsAreThoseOfCpp) {
 }
 
 TEST(CPattern, OfTheCallersOwnPointsInAnyLayout) {
-  struct Point {
+  struct OwnRay {
     char before;
     float x, y, length;
   };
-  const std::array<Point, 3> points{{{'a', 0.1f, 0.2f, 1}, {'b', -0.5f, 0.3f, 0.5f}, {'c', 0, -0.9f, 0.25f}}};
-  const OwnedPattern pattern = made<OwnedPattern>(lkao_pattern_create_from_disk, &points[0].x, sizeof(Point),
-                                                  &points[0].length, sizeof(Point), 3);
+  const std::array<OwnRay, 3> points{{{'a', 0.1f, 0.2f, 1}, {'b', -0.5f, 0.3f, 0.5f}, {'c', 0, -0.9f, 0.25f}}};
+  const OwnedPattern pattern = made<OwnedPattern>(lkao_pattern_create_from_disk, &points[0].x, sizeof(OwnRay),
+                                                  &points[0].length, sizeof(OwnRay), 3);
   const std::vector<glm::vec2> disk{{0.1f, 0.2f}, {-0.5f, 0.3f}, {0, -0.9f}};
   const std::vector<float> lengths{1, 0.5f, 0.25f};
   expect_equal(pattern.get(), SamplePattern::from_disk(disk, lengths));
