@@ -1,5 +1,8 @@
 #include "lkao/c/bvh.h"
 
+#include <optional>
+#include <utility>
+
 #include "c_api/convert.h"
 #include "c_api/handles.h"
 #include "c_api/meshes.h"
@@ -9,6 +12,20 @@ using namespace lkao::c_api;
 
 lkao_status lkao_bvh_create(const lkao_mesh* mesh, const lkao_build_options* options, lkao_bvh** bvh) {
   return create(__func__, bvh, "bvh", [&] { return build(mesh, options); });
+}
+
+lkao_status lkao_bvh_create_refitted(const lkao_bvh* bvh, const lkao_mesh* mesh, const lkao_refit_options* options,
+                                     lkao_bvh** refitted) {
+  return create(__func__, refitted, "refitted", [&] {
+    const lkao::OccluderBvh& found = object(bvh, "bvh");
+    const lkao::PositionView positions = positions_of(read(mesh, LKAO_MESH_INIT, "mesh"), "mesh");
+    const lkao_refit_options how = read_or_defaults(options, LKAO_REFIT_OPTIONS_INIT, "options");
+    std::optional<lkao::OccluderBvh> result;
+    run_on_threads(how.thread_count, "options->thread_count", [&] {
+      result = found.refitted(positions, {.max_growth = how.max_growth}, progress_of(how.progress, how.progress_user));
+    });
+    return *std::move(result);
+  });
 }
 
 lkao_status lkao_bvh_destroy(lkao_bvh* bvh) { return destroy(__func__, bvh, "bvh"); }
@@ -26,6 +43,8 @@ lkao_status lkao_bvh_get_report(const lkao_bvh* bvh, lkao_build_report* report) 
     result.node_count = from.node_count;
     result.memory_bytes = from.memory_bytes;
     result.seconds = from.seconds;
+    result.surface_area_cost = from.surface_area_cost;
+    result.growth = from.growth;
     write(result, report);
   });
 }

@@ -6,6 +6,7 @@
 #include "c_api/convert.h"
 #include "c_api/errors.h"
 #include "c_api/versioned.h"
+#include "c_api/words.h"
 
 namespace lkao::c_api {
 
@@ -42,7 +43,9 @@ IndexView triangles_of(const lkao_mesh& mesh, const std::string& name) {
 }
 
 BuildOptions build_options_of(const lkao_build_options& options) {
-  return {.spatial_splits = options.spatial_splits != 0, .keep_zero_area = options.keep_zero_area != 0};
+  return {.spatial_splits = options.spatial_splits != 0,
+          .keep_zero_area = options.keep_zero_area != 0,
+          .mesh_storage = word(kMeshStorages, options.mesh_storage, "options->mesh_storage")};
 }
 
 OccluderBvh build(const lkao_mesh* mesh, const lkao_build_options* options) {

@@ -213,6 +213,41 @@ TEST(CBvh, TakesMeshesOfAnyLayout) {
   EXPECT_GT(report.seconds, 0);
 }
 
+TEST(CBvh, RefitsAsThatOfCpp) {
+  Mesh mesh = random_soup(300, 0.2f, 3);
+  for (const lkao_mesh_storage storage : {LKAO_STORAGE_COPY, LKAO_STORAGE_REFER}) {
+    const Mesh at_first = mesh;
+    const lkao_mesh view = c_mesh(at_first);
+    lkao_build_options options = LKAO_BUILD_OPTIONS_INIT;
+    options.mesh_storage = storage;
+    const OwnedBvh bvh = made<OwnedBvh>(lkao_bvh_create, &view, &options);
+    for (glm::vec3& p : mesh.positions) p.x = 0.5f * p.x + 0.2f * p.y;
+    const OccluderBvh built(at_first.view(),
+                            {.mesh_storage = storage == LKAO_STORAGE_COPY ? MeshStorage::copy : MeshStorage::refer});
+    lkao_build_report report = LKAO_BUILD_REPORT_INIT;
+    ASSERT_EQ(lkao_bvh_get_report(bvh.get(), &report), LKAO_OK);
+    EXPECT_EQ(report.memory_bytes, built.report().memory_bytes);
+    // Within what may grow, and built anew.
+    for (const double max_growth : {1000.0, 1.0}) {
+      const lkao_mesh moved = c_mesh(mesh);
+      lkao_refit_options refit = LKAO_REFIT_OPTIONS_INIT;
+      refit.max_growth = max_growth, refit.thread_count = 1;
+      const OwnedBvh refitted = made<OwnedBvh>(lkao_bvh_create_refitted, bvh.get(), &moved, &refit);
+      const BuildReport expected = built.refitted(mesh.positions, {.max_growth = max_growth}).report();
+      ASSERT_EQ(lkao_bvh_get_report(refitted.get(), &report), LKAO_OK);
+      EXPECT_EQ(report.surface_area_cost, expected.surface_area_cost);
+      EXPECT_EQ(report.growth, expected.growth);
+    }
+  }
+  lkao_refit_options wrong = LKAO_REFIT_OPTIONS_INIT;
+  wrong.max_growth = 0.5;
+  const OwnedBvh bvh = c_bvh(mesh);
+  const lkao_mesh view = c_mesh(mesh);
+  lkao_bvh* refitted = nullptr;
+  EXPECT_EQ(lkao_bvh_create_refitted(bvh.get(), &view, &wrong, &refitted), LKAO_ERROR_INVALID_ARGUMENT);
+  EXPECT_THAT(lkao_last_error(), testing::HasSubstr("max_growth"));
+}
+
 TEST(CBvh, CountsWhatItDrops) {
   Mesh mesh = closed_box();
   mesh.positions.emplace_back(std::nanf(""), 0, 0);

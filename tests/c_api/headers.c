@@ -5,6 +5,7 @@ int main(void) {
   const lkao_mesh mesh = LKAO_MESH_INIT;
   const lkao_build_options build_options = LKAO_BUILD_OPTIONS_INIT;
   const lkao_build_report build_report = LKAO_BUILD_REPORT_INIT;
+  const lkao_refit_options refit_options = LKAO_REFIT_OPTIONS_INIT;
   const lkao_falloff falloff = LKAO_FALLOFF_INIT;
   const lkao_pattern_options pattern_options = LKAO_PATTERN_OPTIONS_INIT;
   const lkao_table_options table_options = LKAO_TABLE_OPTIONS_INIT;
@@ -21,9 +22,9 @@ int main(void) {
   const lkao_outputs outputs = LKAO_OUTPUTS_INIT;
   const lkao_batch_options batch_options = LKAO_BATCH_OPTIONS_INIT;
   const lkao_query_report query_report = LKAO_QUERY_REPORT_INIT;
-  const size_t size = mesh.size + build_options.size + build_report.size + falloff.size + pattern_options.size +
-                      table_options.size + table_report.size + ray_options.size + level.size + instance.size +
-                      mesh_instance.size + scene_report.size + receiver.size + answer.size + rays.size +
+  const size_t size = mesh.size + build_options.size + build_report.size + refit_options.size + falloff.size +
+                      pattern_options.size + table_options.size + table_report.size + ray_options.size + level.size +
+                      instance.size + mesh_instance.size + scene_report.size + receiver.size + answer.size + rays.size +
                       receivers.size + outputs.size + batch_options.size + query_report.size;
   return size > 0 && LKAO_VERSION >= LKAO_MAKE_VERSION(0, 1, 0) ? 0 : 1;
 }

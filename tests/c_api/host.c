@@ -55,13 +55,16 @@ static lkao_bvh* build_bvh(void) {
   lkao_bounds bounds;
   double origin[3] = {1, 1, 1};
   int calls = 0;
-  lkao_bvh* bvh = NULL;
+  lkao_bvh *bvh = NULL, *refitted = NULL;
   options.progress = keep_going;
   options.progress_user = &calls;
   OK(lkao_bvh_create(&mesh, &options, &bvh));
   CHECK(calls > 0);
   OK(lkao_bvh_get_report(bvh, &report));
   CHECK(report.occluder_count == 4);
+  CHECK(report.growth == 1);
+  OK(lkao_bvh_create_refitted(bvh, &mesh, NULL, &refitted));
+  OK(lkao_bvh_destroy(refitted));
   OK(lkao_bvh_get_bounds(bvh, &bounds));
   CHECK(bounds.lower[2] == -5 && bounds.upper[1] == 5);
   OK(lkao_bvh_get_origin(bvh, origin));

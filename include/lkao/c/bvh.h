@@ -12,10 +12,17 @@ typedef struct lkao_bvh lkao_bvh;
 typedef int32_t lkao_number_type;
 enum { LKAO_FLOAT = 0, LKAO_DOUBLE = 1, LKAO_UINT16 = 2, LKAO_UINT32 = 3, LKAO_INT32 = 4 };
 
+// Where a hierarchy finds the corners of a triangle.
+typedef int32_t lkao_mesh_storage;
+enum {
+  LKAO_STORAGE_COPY = 0,  // in a packed copy of its own
+  LKAO_STORAGE_REFER = 1  // in the caller's arrays, which must stay as they are while anything made of it is in use
+};
+
 // An indexed triangle mesh in the caller's arrays, of any layout and at any alignment; nothing is kept of them after
-// the call. Each position begins `position_stride` bytes after the one before, each triangle `triangle_stride` bytes;
-// 0: packed. The front of a triangle is the side from which its corners run counter-clockwise; its place in the array
-// is its primitive number.
+// the call, but with LKAO_STORAGE_REFER. Each position begins `position_stride` bytes after the one before, each
+// triangle `triangle_stride` bytes; 0: packed. The front of a triangle is the side from which its corners run
+// counter-clockwise; its place in the array is its primitive number.
 typedef struct lkao_mesh {
   size_t size;
   const void* positions;  // three numbers each; NULL where there are none
@@ -45,12 +52,13 @@ typedef struct lkao_build_options {
   size_t size;
   int32_t spatial_splits;  // 0 or 1: cut long triangles; faster queries, 3 to 6 times as long to build
   int32_t keep_zero_area;  // 0 or 1: keep triangles without area, for a mesh that shall stand elsewhere (lkao_scene)
+  lkao_mesh_storage mesh_storage;
   int32_t thread_count;    // 0: as many as oneTBB gives the calling thread; never more than it has
   lkao_progress progress;  // NULL: none
   void* progress_user;
 } lkao_build_options;
 #define LKAO_BUILD_OPTIONS_INIT \
-  { sizeof(lkao_build_options), 1, 0, 0, NULL, NULL }
+  { sizeof(lkao_build_options), 1, 0, LKAO_STORAGE_COPY, 0, NULL, NULL }
 
 // What the build found and made. Every triangle of the mesh is an occluder or counted as dropped.
 typedef struct lkao_build_report {
@@ -63,13 +71,30 @@ typedef struct lkao_build_report {
   size_t node_count;
   size_t memory_bytes;
   double seconds;
+  double surface_area_cost;  // nodes and leaves that a long ray is expected to visit
+  double growth;             // that over what it was at the build: 1 after a build, usually more after a refit
 } lkao_build_report;
 #define LKAO_BUILD_REPORT_INIT \
-  { sizeof(lkao_build_report), 0, 0, 0, 0, 0, 0, 0, 0.0 }
+  { sizeof(lkao_build_report), 0, 0, 0, 0, 0, 0, 0, 0.0, 0.0, 0.0 }
+
+typedef struct lkao_refit_options {
+  size_t size;
+  double max_growth;     // what would grow more is built anew; at least 1, or INFINITY
+  int32_t thread_count;  // as of lkao_build_options
+  lkao_progress progress;
+  void* progress_user;
+} lkao_refit_options;
+#define LKAO_REFIT_OPTIONS_INIT \
+  { sizeof(lkao_refit_options), 2.0, 0, NULL, NULL }
 
 // Builds in parallel. `options` NULL: the defaults. A mesh without any usable triangle is valid and blocks nothing; an
 // index that names no position is LKAO_ERROR_INVALID_ARGUMENT.
 LKAO_C_API lkao_status lkao_bvh_create(const lkao_mesh* mesh, const lkao_build_options* options, lkao_bvh** bvh);
+// The same triangles where their corners have moved to, a fifth of the time of a build (lkao::OccluderBvh::refitted).
+// Of `mesh` only positions are read, as many as at the build. `options` NULL: the defaults. lkao_scene_set_mesh puts
+// the result into a scene.
+LKAO_C_API lkao_status lkao_bvh_create_refitted(const lkao_bvh* bvh, const lkao_mesh* mesh,
+                                                const lkao_refit_options* options, lkao_bvh** refitted);
 LKAO_C_API lkao_status lkao_bvh_destroy(lkao_bvh* bvh);
 
 LKAO_C_API lkao_status lkao_bvh_get_report(const lkao_bvh* bvh, lkao_build_report* report);
