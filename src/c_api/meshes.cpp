@@ -42,10 +42,30 @@ IndexView triangles_of(const lkao_mesh& mesh, const std::string& name) {
   }
 }
 
+namespace {
+
+CutOuts cut_outs_of(const lkao_build_options& options) {
+  CutOuts result;
+  if (options.opacity_count > 0) {
+    const float* const first = needed(options.opacities, "options->opacities");
+    result.opacities.assign(first, first + options.opacity_count);
+  }
+  if (options.cut_out_filter != nullptr) {
+    result.blocks = [filter = options.cut_out_filter, user = options.cut_out_user](
+                        std::uint32_t instance, std::uint32_t primitive, float u, float v) {
+      return filter(user, instance, primitive, u, v) != 0;
+    };
+  }
+  return result;
+}
+
+}  // namespace
+
 BuildOptions build_options_of(const lkao_build_options& options) {
   return {.spatial_splits = options.spatial_splits != 0,
           .keep_zero_area = options.keep_zero_area != 0,
-          .mesh_storage = word(kMeshStorages, options.mesh_storage, "options->mesh_storage")};
+          .mesh_storage = word(kMeshStorages, options.mesh_storage, "options->mesh_storage"),
+          .cut_outs = cut_outs_of(options)};
 }
 
 OccluderBvh build(const lkao_mesh* mesh, const lkao_build_options* options) {

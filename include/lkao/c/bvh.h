@@ -48,6 +48,11 @@ typedef struct lkao_bounds {
   float upper[3];
 } lkao_bounds;
 
+// Whether a ray is blocked where it meets a triangle with holes, at (1 - u - v) a + u b + v c of its corners (not 0) or
+// passes (0); the same every time (lkao/cut_outs.h). Called in the middle of queries, as long as there are any, from
+// all their threads at once.
+typedef int (*lkao_cut_out_filter)(void* user, uint32_t instance, uint32_t primitive, float u, float v);
+
 typedef struct lkao_build_options {
   size_t size;
   int32_t spatial_splits;  // 0 or 1: cut long triangles; faster queries, 3 to 6 times as long to build
@@ -56,9 +61,14 @@ typedef struct lkao_build_options {
   int32_t thread_count;    // 0: as many as oneTBB gives the calling thread; never more than it has
   lkao_progress progress;  // NULL: none
   void* progress_user;
+  // Triangles with holes: those whose opacity is below 1; with a filter and no opacities, all.
+  const float* opacities;  // by primitive, from 0 to 1, packed; NULL: none
+  size_t opacity_count;
+  lkao_cut_out_filter cut_out_filter;  // NULL: a ray is blocked with the opacity's probability
+  void* cut_out_user;
 } lkao_build_options;
 #define LKAO_BUILD_OPTIONS_INIT \
-  { sizeof(lkao_build_options), 1, 0, LKAO_STORAGE_COPY, 0, NULL, NULL }
+  { sizeof(lkao_build_options), 1, 0, LKAO_STORAGE_COPY, 0, NULL, NULL, NULL, 0, NULL, NULL }
 
 // What the build found and made. Every triangle of the mesh is an occluder or counted as dropped.
 typedef struct lkao_build_report {
