@@ -1,6 +1,5 @@
 #include "lkao/c/ao.h"
 
-#include <cstring>
 #include <string>
 #include <vector>
 
@@ -20,17 +19,6 @@ std::vector<lkao::OccluderLevel> levels_of(const lkao_level* levels, std::size_t
   for_each(levels, level_count, LKAO_LEVEL_INIT, "levels", [&](const lkao_level& from, const std::string& name) {
     result.push_back({object(from.scene, (name + "->scene").c_str()), from.r_min, from.r_max});
   });
-  return result;
-}
-
-lkao_rays c_rays_of(const lkao::ReceiverRays& rays) {
-  lkao_rays result = LKAO_RAYS_INIT;
-  std::memcpy(result.origin, &rays.origin, sizeof(result.origin));
-  std::memcpy(result.frame, &rays.frame, sizeof(result.frame));
-  std::memcpy(result.up, &rays.up, sizeof(result.up));
-  std::memcpy(result.cast, rays.cast.words, sizeof(result.cast));
-  result.radius = rays.radius;
-  result.ray_count = rays.ray_count;
   return result;
 }
 
@@ -85,12 +73,7 @@ lkao_status lkao_ao_get_rays(const lkao_ao* ao, const lkao_receiver* receiver, u
     const Strided<float, 3> to(segments, segment_stride, "segment_stride");
     lkao::ReceiverRays found;
     object(ao, "ao").rays(receiver_of(receiver), index, found);
-    if (rays != nullptr) write(c_rays_of(found), rays);
-    if (!to) return;
-    for (int i = 0; i < found.ray_count; ++i) {
-      const glm::vec3 segment = found.ray(i);
-      to.set(static_cast<std::size_t>(i), &segment);
-    }
+    write_rays(found, rays, to);
   });
 }
 

@@ -93,6 +93,32 @@ void write_mask(const OcclusionMask& mask, const SamplePattern& pattern, std::ui
   std::fill(words + needed_count, words + word_count, 0);
 }
 
+void write_words(const OcclusionMask& mask, std::uint64_t* words, std::size_t word_count) {
+  const std::size_t own_count = std::min<std::size_t>(word_count, OcclusionMask::kMaxWordCount);
+  std::copy_n(mask.words, own_count, words);
+  std::fill(words + own_count, words + word_count, 0);
+}
+
+lkao_rays c_rays_of(const ReceiverRays& rays) {
+  lkao_rays result = LKAO_RAYS_INIT;
+  std::memcpy(result.origin, &rays.origin, sizeof(result.origin));
+  std::memcpy(result.frame, &rays.frame, sizeof(result.frame));
+  std::memcpy(result.up, &rays.up, sizeof(result.up));
+  std::memcpy(result.cast, rays.cast.words, sizeof(result.cast));
+  result.radius = rays.radius;
+  result.ray_count = rays.ray_count;
+  return result;
+}
+
+void write_rays(const ReceiverRays& from, lkao_rays* rays, const Strided<float, 3>& segments) {
+  if (rays != nullptr) write(c_rays_of(from), rays);
+  if (!segments) return;
+  for (int i = 0; i < from.ray_count; ++i) {
+    const glm::vec3 segment = from.ray(i);
+    segments.set(static_cast<std::size_t>(i), &segment);
+  }
+}
+
 void run_on_threads(std::int32_t thread_count, const char* name, const std::function<void()>& body) {
   constexpr std::int32_t kMost = 4096;
   check_range(thread_count, 0, kMost, name);

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 
+#include "c_api/arrays.h"
 #include "lkao/c.h"
 #include "lkao/lkao.h"
 
@@ -20,6 +21,12 @@ Progress progress_of(lkao_progress progress, void* user);
 // Copies a mask into `words`; throws where they are fewer than the pattern's.
 void write_mask(const OcclusionMask& mask, const SamplePattern& pattern, std::uint64_t* words, std::size_t word_count);
 void check_mask(const SamplePattern& pattern, const std::uint64_t* words, std::size_t word_count);
+
+// The rest of a mask's `words` become 0.
+void write_words(const OcclusionMask& mask, std::uint64_t* words, std::size_t word_count);
+
+// Into those of the two that are wanted.
+void write_rays(const ReceiverRays& from, lkao_rays* rays, const Strided<float, 3>& segments);
 
 // Runs `body` in an arena of so many threads; 0: in the caller's.
 void run_on_threads(std::int32_t thread_count, const char* name, const std::function<void()>& body);

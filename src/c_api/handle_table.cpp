@@ -87,6 +87,12 @@ const char* name_of(Kind kind) {
       return "lkao_ao";
     case Kind::neighbourhood:
       return "lkao_neighbourhood";
+    case Kind::bundles:
+      return "lkao_bundles";
+    case Kind::shadows:
+      return "lkao_shadows";
+    case Kind::sky:
+      return "lkao_sky";
   }
   return "handle of another library";
 }

@@ -10,7 +10,7 @@
 
 namespace lkao::c_api {
 
-enum class Kind : std::uint8_t { pattern = 1, table, bvh, scene, ao, neighbourhood };
+enum class Kind : std::uint8_t { pattern = 1, table, bvh, scene, ao, neighbourhood, bundles, shadows, sky };
 
 // Enters an object; throws std::bad_alloc where there is no more room.
 std::uintptr_t enter(Kind kind, void* object);

@@ -47,6 +47,21 @@ struct Behind<lkao_ao> {
   static constexpr Kind kKind = Kind::ao;
 };
 template <>
+struct Behind<lkao_bundles> {
+  using Object = RayBundles;
+  static constexpr Kind kKind = Kind::bundles;
+};
+template <>
+struct Behind<lkao_shadows> {
+  using Object = SoftShadows;
+  static constexpr Kind kKind = Kind::shadows;
+};
+template <>
+struct Behind<lkao_sky> {
+  using Object = SkyVisibility;
+  static constexpr Kind kKind = Kind::sky;
+};
+template <>
 struct Behind<lkao_neighbourhood> {
   using Object = PatternedNeighbourhood;
   static constexpr Kind kKind = Kind::neighbourhood;

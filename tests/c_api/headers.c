@@ -21,10 +21,17 @@ int main(void) {
   const lkao_receivers receivers = LKAO_RECEIVERS_INIT;
   const lkao_outputs outputs = LKAO_OUTPUTS_INIT;
   const lkao_batch_options batch_options = LKAO_BATCH_OPTIONS_INIT;
+  const lkao_bundle bundle = LKAO_BUNDLE_INIT;
+  const lkao_light light = LKAO_LIGHT_INIT;
+  const lkao_shadow_options shadow_options = LKAO_SHADOW_OPTIONS_INIT;
+  const lkao_visibility visibility = LKAO_VISIBILITY_INIT;
+  const lkao_shadow_outputs shadow_outputs = LKAO_SHADOW_OUTPUTS_INIT;
+  const lkao_sky_options sky_options = LKAO_SKY_OPTIONS_INIT;
   const lkao_query_report query_report = LKAO_QUERY_REPORT_INIT;
   const size_t size = mesh.size + build_options.size + build_report.size + refit_options.size + falloff.size +
                       pattern_options.size + table_options.size + table_report.size + ray_options.size + level.size +
                       instance.size + mesh_instance.size + scene_report.size + receiver.size + answer.size + rays.size +
-                      receivers.size + outputs.size + batch_options.size + query_report.size;
+                      receivers.size + outputs.size + batch_options.size + query_report.size + bundle.size +
+                      light.size + shadow_options.size + visibility.size + shadow_outputs.size + sky_options.size;
   return size > 0 && LKAO_VERSION >= LKAO_MAKE_VERSION(0, 1, 0) ? 0 : 1;
 }

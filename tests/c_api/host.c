@@ -228,6 +228,66 @@ static void check_queries(const lkao_scene* scene, const lkao_pattern* pattern) 
   CHECK(strcmp(lkao_last_error(), "lkao_ao_destroy: ao was destroyed: it must be a lkao_ao") == 0);
 }
 
+/* A lamp above the wall, of which the wall hides half from its back. */
+static void check_lights(const lkao_scene* scene, const lkao_pattern* pattern) {
+  static const float up[3] = {0, 1, 0}, origin[3] = {0, 0.5f, 0.001f}, to_the_wall[3] = {0, 0, -1};
+  lkao_receiver receiver = foot_of_the_wall();
+  lkao_bundle bundle = LKAO_BUNDLE_INIT;
+  lkao_light light = LKAO_LIGHT_INIT;
+  lkao_shadow_options options = LKAO_SHADOW_OPTIONS_INIT;
+  lkao_visibility visibility = LKAO_VISIBILITY_INIT;
+  lkao_receivers receivers = LKAO_RECEIVERS_INIT;
+  lkao_shadow_outputs outputs = LKAO_SHADOW_OUTPUTS_INIT;
+  lkao_rays rays = LKAO_RAYS_INIT;
+  lkao_sky_shares shares, of_batch;
+  lkao_bundles* bundles = NULL;
+  lkao_shadows* shadows = NULL;
+  lkao_sky* sky = NULL;
+  lkao_scene* same = NULL;
+  lkao_pattern* same_pattern = NULL;
+  uint64_t mask = 0;
+  float seen = -1;
+  OK(lkao_bundles_create(scene, LKAO_TWO_SIDED, LKAO_SIMD, &bundles));
+  memcpy(bundle.origin, origin, sizeof(origin));
+  bundle.rays = to_the_wall;
+  bundle.ray_count = 1;
+  OK(lkao_bundles_blocked(bundles, &bundle, &mask, 1));
+  CHECK(mask == 1);
+  OK(lkao_bundles_blocked_batch(bundles, &bundle, 1, &mask, 0, 1, NULL));
+  CHECK(mask == 1);
+  OK(lkao_scene_create_of_bundles(bundles, &same));
+  OK(lkao_scene_destroy(same));
+  OK(lkao_bundles_destroy(bundles));
+
+  light.position[1] = 10;
+  memcpy(light.normal, up, sizeof(up));
+  light.radius = 1;
+  OK(lkao_shadows_create(scene, &light, pattern, &options, &shadows));
+  OK(lkao_shadows_query(shadows, &receiver, 0, &visibility));
+  CHECK(visibility.visibility > 0.4f && visibility.visibility < 0.6f && visibility.above_horizon == 1);
+  receivers.count = 1;
+  receivers.positions = receiver.position;
+  receivers.normals = receiver.normal;
+  outputs.visibility = &seen;
+  OK(lkao_shadows_query_batch(shadows, &receivers, &outputs, NULL, NULL));
+  CHECK(seen == visibility.visibility);
+  OK(lkao_shadows_get_rays(shadows, &receiver, 0, &rays, NULL, 0));
+  OK(lkao_shadows_get_light(shadows, &light));
+  OK(lkao_shadows_get_options(shadows, &options));
+  OK(lkao_scene_create_of_shadows(shadows, &same));
+  OK(lkao_scene_destroy(same));
+  OK(lkao_pattern_create_of_shadows(shadows, &same_pattern));
+  OK(lkao_pattern_destroy(same_pattern));
+  OK(lkao_shadows_destroy(shadows));
+
+  OK(lkao_sky_create(scene, NULL, &sky));
+  OK(lkao_sky_query(sky, &receiver, 0, &shares));
+  CHECK(shares.visibility > 0.1f && shares.visibility < 0.5f && shares.above > shares.below);
+  OK(lkao_sky_query_batch(sky, &receivers, &of_batch, 0, NULL, NULL));
+  CHECK(memcmp(&of_batch, &shares, sizeof(shares)) == 0);
+  OK(lkao_sky_destroy(sky));
+}
+
 int main(void) {
   lkao_scene* scene = make_scene();
   lkao_pattern* pattern = make_pattern();
@@ -236,6 +296,7 @@ int main(void) {
   OK(lkao_force_isa(""));
   CHECK(lkao_version()[0] == '0' + LKAO_VERSION_MAJOR);
   check_queries(scene, pattern);
+  check_lights(scene, pattern);
   OK(lkao_scene_destroy(scene));
   OK(lkao_pattern_destroy(pattern));
   CHECK(lkao_live_handle_count() == 0);
