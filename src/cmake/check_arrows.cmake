@@ -40,8 +40,8 @@ set(gpu_may_include_volumes gl frame mesh volumes)
 set(gpu_may_include_screen gl frame screen)
 
 # Public headers that stay on one side.
-set(cpu_headers lkao/lkao.h lkao/occluder_bvh.h lkao/ambient_occlusion.h lkao/neighbourhood.h lkao/kernel.h
-                lkao/ray_bundles.h lkao/sky_visibility.h lkao/soft_shadows.h)
+set(cpu_headers lkao/lkao.h lkao/occluder_bvh.h lkao/occluder_scene.h lkao/ambient_occlusion.h lkao/neighbourhood.h
+                lkao/kernel.h lkao/ray_bundles.h lkao/sky_visibility.h lkao/soft_shadows.h)
 set(lut_never_sees ${cpu_headers})
 set(bvh_never_sees lkao/lkao.h lkao/ambient_occlusion.h lkao/neighbourhood.h lkao/ray_bundles.h
                    lkao/sky_visibility.h lkao/soft_shadows.h)
