@@ -1,6 +1,6 @@
 // Triangles with holes: leaves, fences, hair cards.
 //
-// Based on: M. McGuire, "Ambient Occlusion Volumes", HPG 2010, Sec. 3.3 (a triangle's mean alpha stands for its
+// Based on: M. McGuire, "Ambient Occlusion Volumes", HPG 2010, Sec. 5.3 (a triangle's mean alpha stands for its
 // texture). Differs from the paper: rays are thinned by it, one by one, so that masks stay masks.
 #pragma once
 

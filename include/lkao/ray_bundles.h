@@ -33,6 +33,8 @@ struct RayBundle {
   std::uint32_t excluded_primitive = kNoPrimitive;
   std::uint32_t excluded_instance = 0;
   std::uint32_t occluder_groups = kAllGroups;
+  // What triangles with holes are thinned by, beside the ray's number (CutOuts).
+  std::uint64_t index = 0;
 };
 
 // Answers bundles against one scene. Immutable and cheap to copy; every member may be called from any number of

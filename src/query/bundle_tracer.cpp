@@ -22,7 +22,7 @@ BundleTracer::Visit::Visit(const BundleTracer& tracer, const Bounds& origins, co
   if (has_origins) entries_.emplace(tracer.occluders_.layout().tree(), bvh::Shaft(origins, ends));
 }
 
-OcclusionMask BundleTracer::Visit::trace(const Receiver& receiver, ReceiverRays& rays) {
+OcclusionMask BundleTracer::Visit::trace(const Receiver& receiver, std::uint64_t key, ReceiverRays& rays) {
   OcclusionMask blocked, left = rays.cast;
   // One turn for most bundles: rays whose lengths are far apart are traced by length.
   while (left.any()) {
@@ -32,12 +32,12 @@ OcclusionMask BundleTracer::Visit::trace(const Receiver& receiver, ReceiverRays&
     rays.frame = shape_.frame;
     rays.up = shape_.up;
     rays.radius = shape_.radius;
-    blocked = blocked | trace_shape(receiver, rays);
+    blocked = blocked | trace_shape(receiver, key, rays);
   }
   return blocked;
 }
 
-OcclusionMask BundleTracer::Visit::trace_shape(const Receiver& receiver, const ReceiverRays& rays) {
+OcclusionMask BundleTracer::Visit::trace_shape(const Receiver& receiver, std::uint64_t key, const ReceiverRays& rays) {
   const bvh::SceneLayout& scene = tracer_.occluders_.layout();
   const bvh::Layout* const mesh = scene.plain();
   const bool is_simd = tracer_.kernel_ == Kernel::simd;
@@ -48,7 +48,8 @@ OcclusionMask BundleTracer::Visit::trace_shape(const Receiver& receiver, const R
                    .sidedness = tracer_.sidedness_,
                    .excluded_primitive = receiver.excluded_primitive,
                    .excluded_instance = receiver.excluded_instance,
-                   .groups = receiver.occluder_groups};
+                   .groups = receiver.occluder_groups,
+                   .key = key};
   if (entries_) query.roots = entries_->nodes();
   if (mesh == nullptr) return is_simd ? bvh::trace_simd(scene, query) : bvh::trace_scalar(scene, query);
   if (!bvh::may_block(scene, query, 0)) return {};

@@ -1,6 +1,7 @@
 // From rays of a common origin, whatever they are, to those of them that occluders block.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 
 #include "bvh/bundle_shape.h"
@@ -32,11 +33,12 @@ class BundleTracer {
     // Those of rays.cast that are blocked, of a receiver that excludes what `receiver` does. Of `rays`, origin,
     // ray_count, cast and the components must be set, components of at most 1e18, up to a whole word of the mask; the
     // other members are of use to kernels and are set here.
-    OcclusionMask trace(const Receiver& receiver, ReceiverRays& rays);
+    // `key`: bvh::receiver_key, which triangles with holes are thinned by.
+    OcclusionMask trace(const Receiver& receiver, std::uint64_t key, ReceiverRays& rays);
 
    private:
     // Those of `shape_`, which is of these rays.
-    OcclusionMask trace_shape(const Receiver& receiver, const ReceiverRays& rays);
+    OcclusionMask trace_shape(const Receiver& receiver, std::uint64_t key, const ReceiverRays& rays);
 
     const BundleTracer& tracer_;
     bvh::BundleShape shape_;

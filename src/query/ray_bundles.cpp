@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "bvh/cut_outs.h"
 #include "lut/coordinates.h"
 #include "lut/isa.h"
 #include "query/batch.h"
@@ -62,7 +63,7 @@ OcclusionMask trace(query::BundleTracer::Visit& visit, const RayBundle& bundle, 
   return visit.trace({.excluded_primitive = bundle.excluded_primitive,
                       .excluded_instance = bundle.excluded_instance,
                       .occluder_groups = bundle.occluder_groups},
-                     rays);
+                     bvh::receiver_key(0, bundle.index), rays);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <glm/exponential.hpp>
 #include <glm/geometric.hpp>
 
+#include "bvh/cut_outs.h"
 #include "lut/random.h"
 #include "query/shadow_answer.h"
 
@@ -92,7 +93,7 @@ LightVisibility ShadowTracer::Visit::trace(const Receiver& receiver, std::uint64
   const float radius = rays.radius;
   const glm::vec3 up = rays.up;
   const glm::mat3 frame = rays.frame;
-  const OcclusionMask blocked = bundles_.trace(receiver, rays);
+  const OcclusionMask blocked = bundles_.trace(receiver, bvh::receiver_key(tracer_.options_.seed, index), rays);
   rays.radius = radius;
   rays.up = up;
   rays.frame = frame;

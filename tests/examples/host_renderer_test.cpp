@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <fstream>
 #include <string>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -27,6 +28,21 @@ TEST_F(HostRenderer, MismatchesHardlyAnyRay) {
   EXPECT_THAT(out, testing::ContainsRegex("embree +[0-9.]+ s\nlkao +[0-9.]+ s\nlkao is [0-9.]+ times as fast\n"));
   // Embree works in single precision: some rays in a million may differ.
   EXPECT_THAT(out, testing::ContainsRegex("; [0-2] of 196608 rays mismatched\n"));
+}
+
+// The scene in three places, and a light over the first.
+TEST_F(HostRenderer, TakesInstancesAndALight) {
+  for (const std::vector<std::string>& more :
+       {std::vector<std::string>{}, std::vector<std::string>{"--light", "0,8,0,1"}}) {
+    std::vector<std::string> arguments{"builtin:atrium", "--ao", "both",     "--rays", "64", "--width",         "64",
+                                       "--height",       "48",   "--copies", "3",      "-o", path("copies.png")};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    EXPECT_THAT(expect_success(arguments).out, testing::ContainsRegex("; [0-9] of [1-9][0-9]* rays mismatched\n"));
+    const image::Image copies = image::read_image(path("copies.png"));
+    const auto [darkest, brightest] = std::minmax_element(copies.pixels.begin(), copies.pixels.end());
+    EXPECT_LT(*darkest, 0.5f);
+    EXPECT_GT(*brightest, 0.8f);
+  }
 }
 
 TEST_F(HostRenderer, ImagesAreTheSame) {

@@ -232,5 +232,23 @@ TEST(RayBundles, NameBadArguments) {
   EXPECT_THROW(bundles.blocked(std::vector<RayBundle>(3, {.rays = good}), masks), std::invalid_argument);
 }
 
+// Rays of a bundle are drawn by its index where triangles are thinned.
+TEST_P(RayBundlesBy, ThinTrianglesWithHolesByTheirIndex) {
+  tests::Mesh wall;
+  tests::add_quad(wall, {-10, -10, 1}, {20, 0, 0}, {0, 20, 0});
+  const RayBundles bundles(OccluderBvh(wall.view(), {.cut_outs = {.opacities = {0.25f, 0.25f}}}), Sidedness::two_sided,
+                           GetParam().kernel);
+  const std::vector<glm::vec3> rays(64, {0.1f, 0.2f, 2});
+  std::vector<RayBundle> many(200);
+  for (std::size_t k = 0; k < many.size(); ++k) many[k] = {.origin = {0, 0, 0}, .rays = rays, .index = k};
+  std::vector<OcclusionMask> masks(many.size());
+  bundles.blocked(many, masks);
+  int count = 0;
+  for (const OcclusionMask& mask : masks) count += mask.count();
+  EXPECT_NEAR(count / (64.0 * 200), 0.25, 0.02);
+  EXPECT_NE(masks[0], masks[1]);
+  EXPECT_EQ(masks[0], bundles.blocked({0, 0, 0}, rays));
+}
+
 }  // namespace
 }  // namespace lkao

@@ -1,15 +1,20 @@
 // A small renderer on Embree, and what it takes to give it lkao: the lines marked "lkao".
 //
 //   host_renderer builtin:atrium --ao both -o atrium.png
+//   host_renderer builtin:atrium --ao both --copies 3 --light 0,8,0,1 -o lit.png
 //
 // Camera rays find the point that each pixel sees. Its ambient occlusion is the share of cosine-weighted shadow rays
 // that are blocked within a radius. With `--ao embree` the renderer casts them one after the other, as it always did;
-// with `--ao lkao` one query answers all of them; with `--ao both` it does one after the other, and compares.
+// with `--ao lkao` one query answers all of them; with `--ao both` it does one after the other, and compares. With
+// `--light` the picture is the share of a spherical light that each point sees, found in the same two ways. The scene
+// may stand in several places, as instances.
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <exception>
 #include <limits>
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -24,6 +29,7 @@
 #include "image/metrics.h"
 #include "method/radius.h"
 #include "method/stopwatch.h"
+#include "reference/embree_instances.h"
 #include "reference/embree_scene.h"
 #include "scene/builtin.h"
 #include "scene/load.h"
@@ -34,13 +40,40 @@ namespace embree = lkao::scene::embree;
 
 struct Options {
   std::string scene = "builtin:atrium", ao = "embree", radius, output;
-  int ray_count = 128, width = 640, height = 480;
+  int ray_count = 128, width = 640, height = 480, copies = 1;
+  std::vector<float> light;  // place and radius; empty: none
 };
 
-// The renderer's scene: a mesh, and Embree over it.
-struct Scene {
-  const lkao::scene::Mesh& mesh;
-  lkao::reference::EmbreeScene embree;
+// The renderer's scene: a mesh in one or several places, and Embree over it.
+class Scene {
+ public:
+  Scene(const lkao::scene::Mesh& mesh, const lkao::Bounds& bounds, int copies) : mesh_(mesh) {
+    for (int i = 0; i < copies; ++i) {
+      glm::mat4x3 to_world(i % 2 == 0 ? 1.0f : -1.0f);  // every other one is upside down and mirrored
+      to_world[3].x = 1.1f * static_cast<float>(i) * (bounds.upper.x - bounds.lower.x);
+      instances_.push_back({0, to_world});
+    }
+    if (copies == 1) {
+      one_.emplace(mesh.view(), false);
+    } else {
+      several_.emplace(std::span(&mesh, 1), instances_, false);
+    }
+  }
+
+  RTCScene embree() const { return one_ ? one_->plain() : several_->scene(); }
+  const std::vector<lkao::OccluderInstance>& instances() const { return instances_; }
+
+  glm::vec3 corner(const RTCHit& hit, int which) const {
+    const std::uint32_t primitive = one_ ? one_->primitive(hit.primID) : hit.primID;
+    const glm::mat4x3& to_world = instances_[one_ ? 0 : hit.instID[0]].to_world;
+    return to_world * glm::vec4(mesh_.positions[mesh_.triangles[primitive][which]], 1);
+  }
+
+ private:
+  const lkao::scene::Mesh& mesh_;
+  std::vector<lkao::OccluderInstance> instances_;
+  std::optional<lkao::reference::EmbreeScene> one_;
+  std::optional<lkao::reference::EmbreeInstances> several_;
 };
 
 // What a pixel sees. The normal is the triangle's, turned to the eye; zero where the pixel sees nothing.
@@ -56,11 +89,10 @@ SurfacePoint trace(const Scene& scene, const glm::vec3& eye, const glm::vec3& di
   query.ray.mask = ~0u;
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   embree::RayQuery rays;
-  embree::intersect(scene.embree.plain(), rays, query);
+  embree::intersect(scene.embree(), rays, query);
   if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
-  const glm::uvec3& triangle = scene.mesh.triangles[scene.embree.primitive(query.hit.primID)];
-  const glm::vec3& a = scene.mesh.positions[triangle.x];
-  const glm::vec3 u = scene.mesh.positions[triangle.y] - a, v = scene.mesh.positions[triangle.z] - a;
+  const glm::vec3 a = scene.corner(query.hit, 0);
+  const glm::vec3 u = scene.corner(query.hit, 1) - a, v = scene.corner(query.hit, 2) - a;
   const glm::vec3 normal = glm::normalize(glm::cross(u, v));
   return {a + query.hit.u * u + query.hit.v * v, glm::dot(normal, direction) < 0 ? normal : -normal};
 }
@@ -80,7 +112,7 @@ std::vector<SurfacePoint> trace_camera_rays(const Scene& scene, const lkao::scen
   return points;
 }
 
-// The renderer's AO loop: a shadow ray for every sample. The rays are those that lkao casts, so that the images can be
+// The renderer's loop: a shadow ray for every sample. The rays are those that lkao casts, so that the images can be
 // compared; making them costs what any sampler costs.
 lkao::ReceiverOcclusion cast_shadow_rays(const Scene& scene, const lkao::ReceiverRays& rays) {
   embree::RayQuery query;
@@ -89,11 +121,16 @@ lkao::ReceiverOcclusion cast_shadow_rays(const Scene& scene, const lkao::Receive
     if (!rays.cast.test(i)) continue;
     const glm::vec3 &from = rays.origin, along = rays.ray(i);
     RTCRay ray{from.x, from.y, from.z, 0, along.x, along.y, along.z, 0, 1, ~0u, 0, 0};
-    embree::find_blocked(scene.embree.plain(), query, ray);
+    embree::find_blocked(scene.embree(), query, ray);
     if (ray.tfar < 0) answer.mask.set(i);
   }
   answer.occlusion = static_cast<float>(answer.mask.count()) / static_cast<float>(rays.cast.count());
   return answer;
+}
+
+// What is hidden of a light whose points the rays go to: those below the horizon, and what is blocked.
+float hidden_share(const lkao::ReceiverRays& rays, const lkao::OcclusionMask& blocked) {
+  return 1 - static_cast<float>((rays.cast & ~blocked).count()) / static_cast<float>(rays.ray_count);
 }
 
 struct AoImage {
@@ -135,8 +172,8 @@ void print_difference(const AoImage& embree, const AoImage& lkao, int ray_count)
 
 void run(const Options& options) {
   const lkao::scene::Mesh mesh = lkao::scene::load(options.scene);
-  const Scene scene{mesh, lkao::reference::EmbreeScene(mesh.view(), false)};
   const lkao::Bounds bounds = lkao::scene::bounds_of(mesh);
+  const Scene scene(mesh, bounds, options.copies);
   const float radius = options.radius.empty()
                            ? lkao::scene::suggest_radii(bounds).large
                            : static_cast<float>(lkao::method::parse_radius(options.radius).in(bounds));
@@ -146,19 +183,31 @@ void run(const Options& options) {
           : lkao::scene::frame(bounds, static_cast<float>(options.width) / static_cast<float>(options.height));
   const std::vector<SurfacePoint> points = trace_camera_rays(scene, camera, options.width, options.height);
 
-  const lkao::OccluderBvh occluders(mesh.view());                                         // lkao, once a scene
-  const lkao::SamplePattern& pattern = lkao::SamplePattern::standard(options.ray_count);  // lkao
-  const lkao::AmbientOcclusion ao(occluders, pattern, {.radius = radius});                // lkao
+  const lkao::OccluderScene occluders({lkao::OccluderBvh(mesh.view())}, scene.instances());  // lkao, once a scene
+  const lkao::SamplePattern& pattern = lkao::SamplePattern::standard(options.ray_count);     // lkao
+  const lkao::AmbientOcclusion ao(occluders, pattern, {.radius = radius});                   // lkao
+  std::optional<lkao::SoftShadows> shadows;
+  if (!options.light.empty()) {
+    const std::vector<float>& light = options.light;
+    shadows.emplace(occluders, lkao::SphereLight{{light[0], light[1], light[2]}, light[3]}, pattern);  // lkao
+  }
 
   AoImage by_embree, by_lkao;
   if (options.ao != "lkao") {
     by_embree = render("embree", points, [&](const SurfacePoint& point, std::size_t pixel) {
-      return cast_shadow_rays(scene, ao.rays({point.position, point.normal}, pixel));
+      if (!shadows) return cast_shadow_rays(scene, ao.rays({point.position, point.normal}, pixel));
+      const lkao::ReceiverRays rays = shadows->rays({point.position, point.normal}, pixel);
+      lkao::ReceiverOcclusion answer = cast_shadow_rays(scene, rays);
+      answer.occlusion = hidden_share(rays, answer.mask);
+      return answer;
     });
   }
   if (options.ao != "embree") {
     by_lkao = render("lkao", points, [&](const SurfacePoint& point, std::size_t pixel) {
-      return ao.query({point.position, point.normal}, pixel);  // lkao, instead of cast_shadow_rays()
+      const lkao::Receiver receiver{point.position, point.normal};
+      if (!shadows) return ao.query(receiver, pixel);                       // lkao, instead of cast_shadow_rays()
+      const lkao::LightVisibility light = shadows->query(receiver, pixel);  // lkao, likewise
+      return lkao::ReceiverOcclusion{1 - light.visibility, {}, light.blocked};
     });
   }
   if (options.ao == "both") print_difference(by_embree, by_lkao, options.ray_count);
@@ -177,6 +226,12 @@ int main(int argc, char** argv) {
   app.add_option("--ao", options.ao)->check(CLI::IsMember({"embree", "lkao", "both"}))->capture_default_str();
   app.add_option("--radius", options.radius,
                  "AO radius: a length, 5% of the scene's diagonal, or inf (default: one that suits the scene)");
+  app.add_option("--copies", options.copies, "of the scene, in a row")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  app.add_option("--light", options.light, "x,y,z,radius of a sphere: its soft shadows instead of ambient occlusion")
+      ->delimiter(',')
+      ->expected(4);
   app.add_option("--rays", options.ray_count, "a pixel, 1 to 1024")->capture_default_str();
   app.add_option("--width", options.width)->check(CLI::Range(1, 8192))->capture_default_str();
   app.add_option("--height", options.height)->check(CLI::Range(1, 8192))->capture_default_str();
