@@ -48,7 +48,7 @@ struct InstanceMove {
 // one large mesh that it stands for, a closed mesh stays closed under any transform, and one mesh with the identity is
 // that mesh. The surface offset alone may differ, which goes by bounds(): here those of the instances' boxes.
 //
-// Transforms that stretch one direction over 1,000 times as much as another, and those beyond what floats hold, are
+// Transforms that stretch one direction some 4,000 times as much as another, and those beyond what floats hold, are
 // answered by the scalar kernel, slowly.
 //
 // The const members may be called from any number of threads, the others as those of a std::vector.
