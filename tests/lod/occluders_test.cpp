@@ -54,7 +54,7 @@ TEST(Occluders, OfAllLevelsKeepTheirRanges) {
   std::size_t next = 0;
   for (std::size_t i = 0; i < 3; ++i) {
     const Level& level = chain.levels[i];
-    EXPECT_EQ(levels[i].occluders.report().triangle_count, level.mesh.triangles.size());
+    EXPECT_EQ(levels[i].occluders.mesh(0).report().triangle_count, level.mesh.triangles.size());
     EXPECT_EQ(levels[i].r_min, level.r_min);
     EXPECT_EQ(levels[i].r_max, level.r_max);
     for (const glm::uvec3& t : level.mesh.triangles) {
