@@ -21,7 +21,7 @@ namespace {
 
 using Masks = std::vector<std::uint64_t>;
 
-struct Contestant {
+struct Caster {
   std::string name;
   std::function<void(Masks&)> answer;
   std::vector<double> seconds = {};  // a round each
@@ -38,33 +38,33 @@ void query_one_by_one(const SoftShadows& shadows, std::span<const Receiver> rece
   });
 }
 
-std::vector<Contestant> make_contestants(const CellInput& input, const SoftShadows& shadows, std::size_t mask_size) {
+std::vector<Caster> make_contestants(const CellInput& input, const SoftShadows& shadows, std::size_t mask_size) {
   const std::span<const Receiver> receivers = input.receivers;
-  std::vector<Contestant> contestants = {
+  std::vector<Caster> casters = {
       {kShadowsMethod, [receivers, &shadows](Masks& masks) { shadows.query(receivers, {.mask_words = masks}); }},
       {kSingleShadowsMethod, [receivers, &shadows](Masks& masks) { query_one_by_one(shadows, receivers, masks); }}};
   for (const EmbreeMode& mode : all_embree_modes()) {
     const auto make = [receivers, &shadows](std::size_t k, ReceiverRays& rays) { shadows.rays(receivers[k], k, rays); };
     const RaySource source{receivers.size(), shadows.pattern().ray_count(), make};
-    contestants.push_back({mode.name(), [mode, source, rival = input.rival](Masks& masks) {
-                             cast(mode, rival->plain(), source, masks);
-                           }});
+    casters.push_back({mode.name(), [mode, source, rival = input.rival](Masks& masks) {
+                         cast(mode, rival->plain(), source, masks);
+                       }});
   }
-  for (Contestant& contestant : contestants) contestant.masks.resize(mask_size);
-  return contestants;
+  for (Caster& caster : casters) caster.masks.resize(mask_size);
+  return casters;
 }
 
 // As in rays_cell.cpp: each answer is timed the second time.
-void run_rounds(std::vector<Contestant>& contestants, int round_count, int thread_count) {
+void run_rounds(std::vector<Caster>& casters, int round_count, int thread_count) {
   const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
                                     static_cast<std::size_t>(thread_count));
   tbb::task_arena(thread_count).execute([&] {
     for (int round = 0; round < round_count; ++round) {
-      for (Contestant& contestant : contestants) {
-        contestant.answer(contestant.masks);
+      for (Caster& caster : casters) {
+        caster.answer(caster.masks);
         const WorkClock time(thread_count);
-        contestant.answer(contestant.masks);
-        contestant.seconds.push_back(time.seconds());
+        caster.answer(caster.masks);
+        caster.seconds.push_back(time.seconds());
       }
     }
   });
@@ -119,14 +119,13 @@ std::vector<ShadowsCell> measure_shadows(const CellInput& input, const AreaLight
   const Expected expected = ask_oracle(input, shadows);
   std::vector<ShadowsCell> cells;
   for (const int thread_count : options.thread_counts) {
-    std::vector<Contestant> contestants = make_contestants(input, shadows, expected.masks.size());
-    run_rounds(contestants, options.round_count, thread_count);
+    std::vector<Caster> casters = make_contestants(input, shadows, expected.masks.size());
+    run_rounds(casters, options.round_count, thread_count);
     ShadowsCell cell = question;
     cell.thread_count = thread_count;
-    for (const Contestant& contestant : contestants) {
-      const auto wrong_count = static_cast<double>(reference::count_mismatched_rays(contestant.masks, expected.masks));
-      cell.results.push_back({contestant.name, contestant.seconds,
-                              expected.ray_count / method::median(contestant.seconds) * 1e-6,
+    for (const Caster& caster : casters) {
+      const auto wrong_count = static_cast<double>(reference::count_mismatched_rays(caster.masks, expected.masks));
+      cell.results.push_back({caster.name, caster.seconds, expected.ray_count / method::median(caster.seconds) * 1e-6,
                               wrong_count / expected.ray_count});
     }
     cell.lit_share = share_of(expected, [](float seen, float above) { return above > 0 && seen == above; });
