@@ -160,8 +160,9 @@ class RefitStudy {
   void run() {
     const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, 1);
     tbb::task_arena(1).execute([&] {
+      const std::vector<std::string> names = study_scene_names(options_.scenes);
       fmt::print("{}", table_heading(columns_));
-      for (const std::string& name : study_scene_names(options_.scenes)) {
+      for (const std::string& name : names) {
         const StudyScene scene = load_study_scene(name, options_.scenes);
         for (const Deformation deformation : options_.deformations) {
           for (const float strength : deformation_strengths(deformation)) move(scene, deformation, strength);
