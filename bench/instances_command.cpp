@@ -105,7 +105,8 @@ void run_rounds(std::vector<Rival>& rivals, int round_count, Masks& masks) {
 
 std::vector<OccluderBvh> build_meshes(const InstancedCity& city) {
   std::vector<OccluderBvh> meshes;
-  for (const scene::Mesh& mesh : city.meshes) meshes.emplace_back(mesh.view(), lkao::BuildOptions{.keep_zero_area = true});
+  for (const scene::Mesh& mesh : city.meshes)
+    meshes.emplace_back(mesh.view(), lkao::BuildOptions{.keep_zero_area = true});
   return meshes;
 }
 
