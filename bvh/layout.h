@@ -110,7 +110,7 @@ struct RestingTriangle {
   std::uint32_t leaf;
   std::uint32_t primitive;
 
-  friend auto operator<=>(const RestingTriangle&, const RestingTriangle&) = default;
+  friend auto operator<=>(const RestingTriangle&, const RestingTriangle&) = default;  // NOLINT(modernize-use-nullptr)
 };
 
 // Half the surface of boxes, summed up by what they hold.

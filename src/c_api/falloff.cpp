@@ -7,11 +7,9 @@
 #include "c_api/convert.h"
 #include "c_api/errors.h"
 
-namespace {
+using namespace lkao::c_api;
 
-using lkao::c_api::guard;
-using lkao::c_api::needed;
-using lkao::c_api::refuse;
+namespace {
 
 constexpr std::array kNames{"constant", "linear", "smooth", "exponential", "custom"};
 

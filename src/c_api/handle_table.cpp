@@ -47,7 +47,8 @@ constinit std::size_t used_count = 0, free_list = 0;
 constinit std::atomic<std::size_t> alive_count = 0;
 
 std::size_t block_of(std::size_t index) {
-  return static_cast<std::size_t>(std::bit_width(index / kFirstBlock + 1) - 1);
+  const auto width = static_cast<std::size_t>(std::bit_width(index / kFirstBlock + 1));
+  return width > 0 ? width - 1 : 0;  // it is: indices are far from the largest number
 }
 
 // Null where there is none yet.

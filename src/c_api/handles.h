@@ -88,7 +88,7 @@ lkao_status create(const char* function, Handle** result, const char* argument, 
     auto made = std::make_unique<Object>(make());
     const std::uintptr_t handle = enter(Behind<Handle>::kKind, made.get());
     static_cast<void>(made.release());
-    *result = reinterpret_cast<Handle*>(handle);
+    *result = reinterpret_cast<Handle*>(handle);  // NOLINT(performance-no-int-to-ptr): nobody follows it
   });
 }
 
