@@ -1,5 +1,6 @@
 // Wrong arguments of the C interface: a status, and a message that names function, argument and value.
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <string>
 #include <thread>
@@ -247,7 +248,7 @@ TEST_F(CErrors, OfStructsWithoutTheirSize) {
 TEST_F(CErrors, OfLargerStructsOnlyWhereTheyHaveMore) {
   struct {
     lkao_ray_options options;
-    int more;
+    std::int64_t more;  // so long that no bytes between or behind are left undefined
   } newer{options_, 0};
   newer.options.size = sizeof(newer);
   lkao_ao* ao = nullptr;
