@@ -57,7 +57,7 @@ class LKAO_API OccluderScene {
   // One mesh, where it is.
   OccluderScene(OccluderBvh mesh);  // NOLINT(google-explicit-constructor): a mesh is a scene
 
-  // Builds the hierarchy over the instances in parallel, in the TBB arena of the caller: some 0.5 microseconds for each
+  // Builds the hierarchy over the instances in parallel, in the TBB arena of the caller: some 0.9 microseconds for each
   // on two cores. Meshes should be built with BuildOptions::keep_zero_area where they have triangles without area.
   // Throws std::invalid_argument, naming the instance, where a transform is not finite, not invertible or leads beyond
   // 1e18, or there is no such mesh; where the meshes have different origins; and where there are more than 2^31 - 1
