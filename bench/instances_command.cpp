@@ -1,17 +1,20 @@
 // lkao-bench instances: scenes of instances against Embree's, standing and moving.
+#include <algorithm>
 #include <cstdio>
 #include <fstream>
-#include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include <fmt/format.h>
+#include <tbb/task_arena.h>
 #include <CLI/CLI.hpp>
 
 #include "bench/commands.h"
+#include "bench/contest.h"
 #include "bench/csv_file.h"
 #include "bench/embree_modes.h"
 #include "bench/instanced_city.h"
@@ -37,8 +40,6 @@ struct InstancesOptions {
   std::string csv;
   std::string motion_csv;
 };
-
-using Masks = std::vector<std::uint64_t>;
 
 // Of this process, in megabytes; 0 where that is not known.
 double resident_megabytes() {
@@ -85,23 +86,18 @@ Columns standing_table_columns() {
           {"unexplained_rays", "{}", 11, "unexplained"}};
 }
 
-struct Rival {
-  std::string name;
-  std::function<void(Masks&)> answer;
-  std::vector<double> seconds = {};
-};
-
-// In turns; each is timed the second time, when its own data are in the caches.
-void run_rounds(std::vector<Rival>& rivals, int round_count, Masks& masks) {
-  for (int round = 0; round < round_count; ++round) {
-    for (Rival& rival : rivals) {
-      rival.answer(masks);
-      const method::Stopwatch watch;
-      rival.answer(masks);
-      rival.seconds.push_back(watch.seconds());
-    }
-  }
+// Masks of so many receivers.
+Masks masks_of(const AmbientOcclusion& ao, std::span<const Receiver> receivers) {
+  return Masks(receivers.size() * static_cast<std::size_t>(ao.pattern().word_count()));
 }
+
+Rival by_query(const char* name, int round_count, const AmbientOcclusion& ao, std::span<const Receiver> receivers) {
+  const auto answer = [&ao, receivers](Masks& masks) { ao.query(receivers, {.mask_words = masks}); };
+  return {name, round_count, answer, masks_of(ao, receivers)};
+}
+
+// On all threads.
+void run_rounds(std::vector<Rival>& rivals) { run_rounds(rivals, tbb::this_task_arena::max_concurrency()); }
 
 std::vector<OccluderBvh> build_meshes(const InstancedCity& city) {
   std::vector<OccluderBvh> meshes;
@@ -148,48 +144,46 @@ class Standing {
  private:
   void measure(const BuiltCity& built, const std::vector<Receiver>& receivers, float radius) {
     const AmbientOcclusion ao(*built.scene, SamplePattern::standard(options_.ray_count), {.radius = radius});
-    std::vector<Rival> rivals{{"lkao", [&](Masks& masks) { ao.query(receivers, {.mask_words = masks}); }}};
+    std::vector<Rival> rivals{by_query("lkao", options_.round_count, ao, receivers)};
     for (const EmbreeMode& mode : all_embree_modes()) {
       // Embree 3.13.5 does at times not come back from coherent packets in a scene of instances.
       if (mode.order == scene::embree::Order::coherent && mode.width > 1) continue;
-      rivals.push_back(
-          {mode.name(), [&, mode](Masks& masks) { cast(mode, built.embree->scene(), ao, receivers, masks); }});
+      const auto answer = [&, mode](Masks& masks) { cast(mode, built.embree->scene(), ao, receivers, masks); };
+      rivals.push_back({mode.name(), options_.round_count, answer, masks_of(ao, receivers)});
     }
-    Masks masks(receivers.size() * static_cast<std::size_t>(ao.pattern().word_count()));
-    run_rounds(rivals, options_.round_count, masks);
-    const Rival* best = &rivals[1];
-    for (std::size_t i = 2; i < rivals.size(); ++i) {
-      if (method::median(rivals[i].seconds) < method::median(best->seconds)) best = &rivals[i];
-    }
-    report(built, receivers, ao, rivals[0], *best);
+    run_rounds(rivals);
+    report(built, receivers, ao, rivals);
   }
 
   void report(const BuiltCity& built, const std::vector<Receiver>& receivers, const AmbientOcclusion& ao,
-              const Rival& lkao, const Rival& best) {
+              const std::vector<Rival>& rivals) {
     // Embree's robust mode is the oracle; its fast one leaks at edges.
     const reference::EmbreeInstances oracle(built.city.meshes, built.city.instances, true);
-    Masks masks(receivers.size() * static_cast<std::size_t>(ao.pattern().word_count())), expected = masks;
-    const QueryReport answered = ao.query(receivers, {.mask_words = masks});
+    Masks expected = masks_of(ao, receivers);
     cast(all_embree_modes().front(), oracle.scene(), ao, receivers, expected);
-    const auto mismatched_count = static_cast<double>(reference::count_mismatched_rays(masks, expected));
-    const auto ray_count = static_cast<double>(answered.ray_count);
-    std::vector<double> ratios;
-    for (std::size_t i = 0; i < lkao.seconds.size(); ++i) ratios.push_back(best.seconds[i] / lkao.seconds[i]);
-    const Measurement measurement = {{"instances", built.city.instances.size()},
-                                     {"triangles", built.city.triangle_count},
-                                     {"radius", ao.options().radius},
-                                     {"rays", options_.ray_count},
-                                     {"receivers", receivers.size()},
-                                     {"lkao_build_s", built.seconds},
-                                     {"embree_build_s", built.embree_seconds},
-                                     {"lkao_mb", built.megabytes},
-                                     {"embree_mb", built.embree_megabytes},
-                                     {"lkao_mrays_per_s", 1e-6 * ray_count / method::median(lkao.seconds)},
-                                     {"embree_mode", best.name},
-                                     {"embree_mrays_per_s", 1e-6 * ray_count / method::median(best.seconds)},
-                                     {"ratio", method::median(ratios)},
-                                     {"mismatched_rays", mismatched_count / ray_count},
-                                     {"unexplained_rays", count_unexplained(ao, receivers, masks, expected)}};
+    const auto ray_count = static_cast<double>(ao.query(receivers, {}).ray_count);
+    std::vector<MethodResult> results;
+    for (const Rival& rival : rivals) results.push_back(result_of(rival, expected, ray_count));
+    const MethodResult& lkao = results.front();
+    const MethodResult& best = *std::max_element(results.begin() + 1, results.end(), [](const auto& a, const auto& b) {
+      return a.mrays_per_second < b.mrays_per_second;
+    });
+    const Measurement measurement = {
+        {"instances", built.city.instances.size()},
+        {"triangles", built.city.triangle_count},
+        {"radius", ao.options().radius},
+        {"rays", options_.ray_count},
+        {"receivers", receivers.size()},
+        {"lkao_build_s", built.seconds},
+        {"embree_build_s", built.embree_seconds},
+        {"lkao_mb", built.megabytes},
+        {"embree_mb", built.embree_megabytes},
+        {"lkao_mrays_per_s", lkao.mrays_per_second},
+        {"embree_mode", best.method},
+        {"embree_mrays_per_s", best.mrays_per_second},
+        {"ratio", speed_ratio(lkao, best)},
+        {"mismatched_rays", lkao.mismatch_rate},
+        {"unexplained_rays", count_unexplained(ao, receivers, rivals.front().masks, expected)}};
     csv_.write(measurement);
     Measurement shown = measurement;
     shown[1].second = static_cast<double>(built.city.triangle_count);
@@ -259,24 +253,21 @@ class Motion {
     const std::vector<Receiver> receivers = choose_tiles(image, options_.tile_count);
     const SamplePattern pattern = SamplePattern::standard(options_.ray_count);
     const AmbientOcclusion old(moved, pattern, {.radius = 4}), fresh(*rebuilt, pattern, {.radius = 4});
-    Masks masks(receivers.size() * static_cast<std::size_t>(pattern.word_count())), expected = masks;
-    std::vector<Rival> rivals{{"moved", [&](Masks& out) { old.query(receivers, {.mask_words = out}); }},
-                              {"rebuilt", [&](Masks& out) { fresh.query(receivers, {.mask_words = out}); }}};
-    run_rounds(rivals, options_.round_count, masks);
-    std::vector<double> ratios;
-    for (std::size_t i = 0; i < rivals[0].seconds.size(); ++i) {
-      ratios.push_back(rivals[0].seconds[i] / rivals[1].seconds[i]);
-    }
-    rivals[0].answer(masks);
-    rivals[1].answer(expected);
-    const Measurement measurement = {{"instances", instances.size()},
-                                     {"moved", instances.size() - 1},
-                                     {"distance", distance},
-                                     {"move_ms", method::median(move_ms)},
-                                     {"build_ms", method::median(build_ms)},
-                                     {"embree_ms", method::median(embree_ms)},
-                                     {"query_slowdown", method::median(ratios)},
-                                     {"mismatched_rays", reference::count_mismatched_rays(masks, expected)}};
+    std::vector<Rival> rivals{by_query("moved", options_.round_count, old, receivers),
+                              by_query("rebuilt", options_.round_count, fresh, receivers)};
+    run_rounds(rivals);
+    const auto ray_count = static_cast<double>(fresh.query(receivers, {}).ray_count);
+    const MethodResult of_moved = result_of(rivals[0], rivals[1].masks, ray_count),
+                       of_rebuilt = result_of(rivals[1], rivals[1].masks, ray_count);
+    const Measurement measurement = {
+        {"instances", instances.size()},
+        {"moved", instances.size() - 1},
+        {"distance", distance},
+        {"move_ms", method::median(move_ms)},
+        {"build_ms", method::median(build_ms)},
+        {"embree_ms", method::median(embree_ms)},
+        {"query_slowdown", speed_ratio(of_rebuilt, of_moved)},
+        {"mismatched_rays", reference::count_mismatched_rays(rivals[0].masks, rivals[1].masks)}};
     csv_.write(measurement);
     fmt::print("{}", table_row(columns_, measurement));
     std::fflush(stdout);

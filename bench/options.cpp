@@ -1,7 +1,12 @@
 #include "bench/options.h"
 
+#include <stdexcept>
+
+#include <fmt/format.h>
 #include <tbb/info.h>
 #include <CLI/CLI.hpp>
+
+#include "lkao/sample_pattern.h"
 
 namespace lkao::bench {
 
@@ -21,6 +26,30 @@ void add_rounds_option(CLI::App& app, int& round_count) {
   app.add_option("--rounds", round_count, "of which the median counts")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
+}
+
+void add_ray_counts_option(CLI::App& app, std::vector<int>& ray_counts) {
+  app.add_option("--samples", ray_counts, "rays a receiver")->delimiter(',')->capture_default_str();
+}
+
+void check_ray_counts(const std::vector<int>& ray_counts) {
+  for (const int ray_count : ray_counts) {
+    if (is_valid_ray_count(ray_count)) continue;
+    throw std::invalid_argument(
+        fmt::format("--samples must be from {} to {}, not {}", kMinRayCount, kMaxRayCount, ray_count));
+  }
+}
+
+void add_tiles_option(CLI::App& app, int& tile_count) {
+  app.add_option("--tiles", tile_count, "32 x 32 pixels each, of the view at 1024 x 768")
+      ->check(CLI::Range(1, 768))
+      ->capture_default_str();
+}
+
+void add_isas_option(CLI::App& app, std::vector<std::string>& isas) {
+  app.add_option("--isa", isas,
+                 "instruction sets of both sides, each in turn (default: those of avx512, avx2, sse4 that there are)")
+      ->delimiter(',');
 }
 
 void add_threads_option(CLI::App& app, std::vector<int>& thread_counts) {

@@ -18,6 +18,13 @@ void add_scene_options(CLI::App& app, StudySceneOptions& scenes, const std::stri
 void add_size_options(CLI::App& app, StudySceneOptions& scenes);
 // --rounds
 void add_rounds_option(CLI::App& app, int& round_count);
+// --samples, of which check_ray_counts throws std::invalid_argument with one line where one is out of range.
+void add_ray_counts_option(CLI::App& app, std::vector<int>& ray_counts);
+void check_ray_counts(const std::vector<int>& ray_counts);
+// --tiles, of views of 1024 x 768 pixels
+void add_tiles_option(CLI::App& app, int& tile_count);
+// --isa
+void add_isas_option(CLI::App& app, std::vector<std::string>& isas);
 // --threads: numbers, or "all" for as many as the machine has.
 void add_threads_option(CLI::App& app, std::vector<int>& thread_counts);
 // --csv

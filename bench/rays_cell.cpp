@@ -3,36 +3,21 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <string_view>
 #include <utility>
 
 #include <tbb/blocked_range.h>
-#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/partitioner.h>
-#include <tbb/task_arena.h>
 
 #include <glm/common.hpp>
 
 #include "bench/embree_modes.h"
-#include "bench/work_clock.h"
 #include "lkao/isa.h"
 #include "lkao/neighbourhood.h"
-#include "method/median.h"
 
 namespace lkao::bench {
 namespace {
-
-using Masks = std::vector<std::uint64_t>;
-
-struct Method {
-  std::string name;
-  int round_count;
-  std::function<void(Masks&)> answer;
-  std::vector<double> seconds = {};  // a round each
-  Masks masks = {};
-};
 
 template <typename Test>
 const MethodResult* fastest(const std::vector<MethodResult>& results, const Test& test) {
@@ -70,25 +55,6 @@ void query_around(const AmbientOcclusion& ao, std::span<const Receiver> receiver
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, receivers.size(), 64), answer_tile, tbb::simple_partitioner());
 }
 
-// Each answer is timed the second time: a method finds its own data in the caches, whichever was before it.
-void run_rounds(std::vector<Method>& methods, const MeasureOptions& options, int thread_count) {
-  for (int round = 0; round < options.round_count; ++round) {
-    for (Method& method : methods) {
-      if (round >= method.round_count) continue;
-      method.answer(method.masks);
-      const WorkClock time(thread_count);
-      method.answer(method.masks);
-      method.seconds.push_back(time.seconds());
-    }
-  }
-}
-
-void run_on_threads(std::vector<Method>& methods, const MeasureOptions& options, int thread_count) {
-  const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
-                                    static_cast<std::size_t>(thread_count));
-  tbb::task_arena(thread_count).execute([&] { run_rounds(methods, options, thread_count); });
-}
-
 struct Queries {
   AmbientOcclusion simd;
   AmbientOcclusion scalar;
@@ -103,44 +69,28 @@ Queries make_queries(const CellInput& input, const Cell& cell) {
 }
 
 // Cell::simd, single and around count on their places.
-std::vector<Method> make_methods(const CellInput& input, const Queries& queries, int round_count, bool with_scalar) {
+std::vector<Rival> make_rivals(const CellInput& input, const Queries& queries, int round_count, bool with_scalar) {
   const std::span<const Receiver> receivers = input.receivers;
+  const Masks masks(receivers.size() * static_cast<std::size_t>(queries.simd.pattern().word_count()));
   const auto batch = [receivers](const AmbientOcclusion& ao) {
-    return [receivers, &ao](Masks& masks) { ao.query(receivers, {.mask_words = masks}); };
+    return [receivers, &ao](Masks& to) { ao.query(receivers, {.mask_words = to}); };
   };
   const AmbientOcclusion& simd = queries.simd;
-  std::vector<Method> methods = {
-      {kSimdMethod, round_count, batch(simd)},
-      {kSingleMethod, round_count, [receivers, &simd](Masks& masks) { query_singly(simd, receivers, masks); }},
-      {kAroundMethod, round_count, [receivers, &simd](Masks& masks) { query_around(simd, receivers, masks); }}};
-  if (with_scalar) methods.push_back({kScalarMethod, 1, batch(queries.scalar)});
+  std::vector<Rival> rivals = {
+      {kSimdMethod, round_count, batch(simd), masks},
+      {kSingleMethod, round_count, [receivers, &simd](Masks& to) { query_singly(simd, receivers, to); }, masks},
+      {kAroundMethod, round_count, [receivers, &simd](Masks& to) { query_around(simd, receivers, to); }, masks}};
+  if (with_scalar) rivals.push_back({kScalarMethod, 1, batch(queries.scalar), masks});
   for (const EmbreeMode& mode : all_embree_modes()) {
-    methods.push_back({mode.name(), round_count, [receivers, &simd, mode, rival = input.rival](Masks& masks) {
-                         cast(mode, rival->plain(), simd, receivers, masks);
-                       }});
+    const auto answer = [receivers, &simd, mode, rival = input.rival](Masks& to) {
+      cast(mode, rival->plain(), simd, receivers, to);
+    };
+    rivals.push_back({mode.name(), round_count, answer, masks});
   }
-  return methods;
-}
-
-std::vector<MethodResult> results_of(const std::vector<Method>& methods, const Masks& expected, double ray_count) {
-  std::vector<MethodResult> results;
-  for (const Method& method : methods) {
-    const auto mismatched_count = static_cast<double>(reference::count_mismatched_rays(method.masks, expected));
-    results.push_back(
-        {method.name, method.seconds, ray_count / method::median(method.seconds) * 1e-6, mismatched_count / ray_count});
-  }
-  return results;
+  return rivals;
 }
 
 }  // namespace
-
-double speed_ratio(const MethodResult& a, const MethodResult& b) {
-  std::vector<double> ratios;
-  for (std::size_t round = 0; round < std::min(a.seconds.size(), b.seconds.size()); ++round) {
-    ratios.push_back(b.seconds[round] / a.seconds[round]);
-  }
-  return method::median(ratios);
-}
 
 const MethodResult* Cell::scalar() const {
   return fastest(results, [](std::string_view name) { return name == kScalarMethod; });
@@ -164,12 +114,12 @@ std::vector<Cell> measure(const CellInput& input, const MeasureOptions& options,
 
   std::vector<Cell> cells;
   for (const int thread_count : options.thread_counts) {
-    std::vector<Method> methods = make_methods(input, queries, options.round_count, with_scalar && cells.empty());
-    for (Method& method : methods) method.masks.resize(expected.size());
-    run_on_threads(methods, options, thread_count);
+    std::vector<Rival> rivals = make_rivals(input, queries, options.round_count, with_scalar && cells.empty());
+    run_rounds(rivals, thread_count);
     Cell cell = question;
     cell.thread_count = thread_count;
-    cell.results = results_of(methods, expected, static_cast<double>(ray_count));
+    for (const Rival& rival : rivals)
+      cell.results.push_back(result_of(rival, expected, static_cast<double>(ray_count)));
     cells.push_back(std::move(cell));
   }
   return cells;

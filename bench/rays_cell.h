@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "bench/compared_isas.h"
+#include "bench/contest.h"
 #include "lkao/ambient_occlusion.h"
 #include "reference/embree_reference.h"
 #include "reference/embree_scene.h"
@@ -22,17 +23,6 @@ inline constexpr const char* kScalarMethod = "lkao_scalar";
 // Groups of cells: whether rays end inside the scene.
 inline constexpr const char* kBounded = "bounded";
 inline constexpr const char* kUnbounded = "unbounded";
-
-struct MethodResult {
-  std::string method;
-  std::vector<double> seconds;  // of each round, by WorkClock
-  double mrays_per_second = 0;  // of rays above the horizon, making them included; the median of the rounds
-  double mismatch_rate = 0;     // share of the rays whose answer differs from robust Embree's
-};
-
-// How many times as fast as `b` is `a`: the median of the ratios inside the rounds that both ran, which slow changes of
-// the processor's clock touch less than the ratio of the medians.
-double speed_ratio(const MethodResult& a, const MethodResult& b);
 
 struct Cell {
   std::string scene;

@@ -7,26 +7,13 @@
 #include <utility>
 
 #include <tbb/blocked_range.h>
-#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
 #include "bench/embree_modes.h"
-#include "bench/work_clock.h"
 #include "lkao/isa.h"
-#include "method/median.h"
 
 namespace lkao::bench {
 namespace {
-
-using Masks = std::vector<std::uint64_t>;
-
-struct Caster {
-  std::string name;
-  std::function<void(Masks&)> answer;
-  std::vector<double> seconds = {};  // a round each
-  Masks masks = {};
-};
 
 void query_one_by_one(const SoftShadows& shadows, std::span<const Receiver> receivers, Masks& masks) {
   const auto word_count = static_cast<std::size_t>(shadows.pattern().word_count());
@@ -38,36 +25,20 @@ void query_one_by_one(const SoftShadows& shadows, std::span<const Receiver> rece
   });
 }
 
-std::vector<Caster> make_contestants(const CellInput& input, const SoftShadows& shadows, std::size_t mask_size) {
+std::vector<Rival> make_rivals(const CellInput& input, const SoftShadows& shadows, int round_count) {
   const std::span<const Receiver> receivers = input.receivers;
-  std::vector<Caster> casters = {
-      {kShadowsMethod, [receivers, &shadows](Masks& masks) { shadows.query(receivers, {.mask_words = masks}); }},
-      {kSingleShadowsMethod, [receivers, &shadows](Masks& masks) { query_one_by_one(shadows, receivers, masks); }}};
+  const Masks masks(receivers.size() * static_cast<std::size_t>(shadows.pattern().word_count()));
+  const auto in_batches = [receivers, &shadows](Masks& to) { shadows.query(receivers, {.mask_words = to}); };
+  const auto one_by_one = [receivers, &shadows](Masks& to) { query_one_by_one(shadows, receivers, to); };
+  std::vector<Rival> rivals = {{kShadowsMethod, round_count, in_batches, masks},
+                               {kSingleShadowsMethod, round_count, one_by_one, masks}};
   for (const EmbreeMode& mode : all_embree_modes()) {
     const auto make = [receivers, &shadows](std::size_t k, ReceiverRays& rays) { shadows.rays(receivers[k], k, rays); };
     const RaySource source{receivers.size(), shadows.pattern().ray_count(), make};
-    casters.push_back({mode.name(), [mode, source, rival = input.rival](Masks& masks) {
-                         cast(mode, rival->plain(), source, masks);
-                       }});
+    const auto answer = [mode, source, rival = input.rival](Masks& to) { cast(mode, rival->plain(), source, to); };
+    rivals.push_back({mode.name(), round_count, answer, masks});
   }
-  for (Caster& caster : casters) caster.masks.resize(mask_size);
-  return casters;
-}
-
-// As in rays_cell.cpp: each answer is timed the second time.
-void run_rounds(std::vector<Caster>& casters, int round_count, int thread_count) {
-  const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
-                                    static_cast<std::size_t>(thread_count));
-  tbb::task_arena(thread_count).execute([&] {
-    for (int round = 0; round < round_count; ++round) {
-      for (Caster& caster : casters) {
-        caster.answer(caster.masks);
-        const WorkClock time(thread_count);
-        caster.answer(caster.masks);
-        caster.seconds.push_back(time.seconds());
-      }
-    }
-  });
+  return rivals;
 }
 
 // What robust Embree says with the same rays.
@@ -119,15 +90,11 @@ std::vector<ShadowsCell> measure_shadows(const CellInput& input, const AreaLight
   const Expected expected = ask_oracle(input, shadows);
   std::vector<ShadowsCell> cells;
   for (const int thread_count : options.thread_counts) {
-    std::vector<Caster> casters = make_contestants(input, shadows, expected.masks.size());
-    run_rounds(casters, options.round_count, thread_count);
+    std::vector<Rival> rivals = make_rivals(input, shadows, options.round_count);
+    run_rounds(rivals, thread_count);
     ShadowsCell cell = question;
     cell.thread_count = thread_count;
-    for (const Caster& caster : casters) {
-      const auto wrong_count = static_cast<double>(reference::count_mismatched_rays(caster.masks, expected.masks));
-      cell.results.push_back({caster.name, caster.seconds, expected.ray_count / method::median(caster.seconds) * 1e-6,
-                              wrong_count / expected.ray_count});
-    }
+    for (const Rival& rival : rivals) cell.results.push_back(result_of(rival, expected.masks, expected.ray_count));
     cell.lit_share = share_of(expected, [](float seen, float above) { return above > 0 && seen == above; });
     cell.umbra_share = share_of(expected, [](float seen, float) { return seen == 0; });
     cell.mae = error_of(shadows, input.receivers, expected);

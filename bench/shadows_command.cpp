@@ -160,11 +160,7 @@ class ShadowsComparison {
 };
 
 void check(const ShadowsOptions& options) {
-  for (const int ray_count : options.ray_counts) {
-    if (is_valid_ray_count(ray_count)) continue;
-    throw std::invalid_argument(
-        fmt::format("--samples must be from {} to {}, not {}", kMinRayCount, kMaxRayCount, ray_count));
-  }
+  check_ray_counts(options.ray_counts);
   for (const double percent : options.radii) {
     if (percent > 0 && percent <= 100) continue;
     throw std::invalid_argument(fmt::format("--light-radius must be above 0 and at most 100, not {:g}", percent));
@@ -183,15 +179,11 @@ Command add_shadows_command(CLI::App& program) {
   app->add_option("--light-radius", options->radii, "radii of the light, percent of the scene's diagonal")
       ->delimiter(',')
       ->capture_default_str();
-  app->add_option("--samples", options->ray_counts, "rays a receiver")->delimiter(',')->capture_default_str();
+  add_ray_counts_option(*app, options->ray_counts);
   add_rounds_option(*app, options->measure.round_count);
-  app->add_option("--tiles", options->tile_count, "32 x 32 pixels each, of the view at 1024 x 768")
-      ->check(CLI::Range(1, 768))
-      ->capture_default_str();
+  add_tiles_option(*app, options->tile_count);
   add_threads_option(*app, options->measure.thread_counts);
-  app->add_option("--isa", options->isas,
-                  "instruction sets of both sides, each in turn (default: those of avx512, avx2, sse4 that there are)")
-      ->delimiter(',');
+  add_isas_option(*app, options->isas);
   add_csv_option(*app, options->csv);
   return {app, [options] {
             check(*options);

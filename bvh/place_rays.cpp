@@ -12,43 +12,22 @@ namespace {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
-// Vectors from the world to the mesh's space: rounded once, after sums in double.
-class Turn {
- public:
-  explicit Turn(const glm::dmat4x3& to_mesh) : m_(to_mesh) {}
-
-  float x(double a, double b, double c) const { return row(0, a, b, c); }
-  float y(double a, double b, double c) const { return row(1, a, b, c); }
-  float z(double a, double b, double c) const { return row(2, a, b, c); }
-
- private:
-  float row(int i, double a, double b, double c) const {
-    return static_cast<float>(m_[0][i] * a + m_[1][i] * b + m_[2][i] * c);
-  }
-
-  glm::dmat4x3 m_;
-};
-
 // Lists the open rays, and rays without length up to a whole word of a mask.
 void pick_rays(PlacedRays& placed) {
   const Query& world = placed.world;
   ReceiverRays& rays = placed.rays;
-  const Turn turn(world.placement->to_mesh);
+  const glm::dmat3 turn(world.placement->to_mesh);
   int count = 0;
   for_each_ray(world.open, world.rays.word_count(),
                [&](int ray) { placed.numbers[count++] = static_cast<std::uint16_t>(ray); });
   rays.ray_count = count;
-  placed.open = OcclusionMask();
-  for (int word = 0; 64 * word < count; ++word) {
-    const int in_word = std::min(64, count - 64 * word);
-    placed.open.words[word] = ~std::uint64_t{0} >> (64 - in_word);
-  }
+  placed.open = first_rays(count);
   for (int i = 0; i < count; ++i) {
-    const int ray = placed.numbers[i];
-    const double x{world.rays.x[ray]}, y{world.rays.y[ray]}, z{world.rays.z[ray]};
-    rays.x[i] = turn.x(x, y, z);
-    rays.y[i] = turn.y(x, y, z);
-    rays.z[i] = turn.z(x, y, z);
+    // Rounded once, after sums in double.
+    const glm::vec3 ray(turn * glm::dvec3(world.rays.ray(placed.numbers[i])));
+    rays.x[i] = ray.x;
+    rays.y[i] = ray.y;
+    rays.z[i] = ray.z;
   }
   for (int i = count; i < 64 * word_count_of(count); ++i) rays.x[i] = rays.y[i] = rays.z[i] = 0;
 }

@@ -8,6 +8,7 @@
 #include <glm/matrix.hpp>
 
 #include "bvh/bounds.h"
+#include "bvh/box_margin.h"
 
 namespace lkao::bvh {
 namespace {
@@ -23,11 +24,10 @@ double frobenius(const glm::dmat3& m) {
 
 // What is as good as all corners: the boxes of the root's children are smaller than theirs together.
 Bounds place_children(const glm::mat4x3& to_world, const Node& root) {
-  Bounds box{glm::vec3(kInfinity), glm::vec3(-kInfinity)};
+  Bounds box = kNowhere;
   for (int i = 0; i < kWidth && !root.children[i].is_empty(); ++i) {
     if (root.is_unreachable(i)) continue;
-    const Bounds child = place(to_world, root.child_bounds(i));
-    box = {glm::min(box.lower, child.lower), glm::max(box.upper, child.upper)};
+    box = merge(box, place(to_world, root.child_bounds(i)));
   }
   return box;
 }
@@ -66,13 +66,11 @@ Bounds place(const glm::mat4x3& to_world, const Bounds& box) {
       upper += std::max(a, b);
       size += std::max(std::fabs(a), std::fabs(b));
     }
-    // A corner rounds like the faces, which move out by a step and Node::kMargin as those of all nodes.
-    const auto rounded_lower = static_cast<float>(lower - 0x1p-50 * size);
-    const auto rounded_upper = static_cast<float>(upper + 0x1p-50 * size);
-    placed.lower[row] = std::min(std::nextafter(rounded_lower, -kInfinity), rounded_lower - Node::kMargin);
-    placed.upper[row] = std::max(std::nextafter(rounded_upper, kInfinity), rounded_upper + Node::kMargin);
+    // A corner rounds like the faces, which then move out as those of all nodes do.
+    placed.lower[row] = static_cast<float>(lower - 0x1p-50 * size);
+    placed.upper[row] = static_cast<float>(upper + 0x1p-50 * size);
   }
-  return placed;
+  return with_margin(placed);
 }
 
 Placement make_placement(const Layout& mesh, std::uint32_t mesh_number, const glm::mat4x3& to_world,

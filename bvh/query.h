@@ -1,6 +1,7 @@
 // What a receiver asks of a hierarchy, and the definition of the answer for one of its rays and a triangle.
 #pragma once
 
+#include <algorithm>
 #include <bit>
 #include <cstdint>
 #include <span>
@@ -90,6 +91,15 @@ inline bool blocks(const TriangleTest& test, const Layout& layout, std::uint32_t
   const bool is_mirrored = query.placement != nullptr && query.placement->is_mirrored;
   return is_blocked_there(layout.options.cut_outs, query.instance, primitive,
                           is_mirrored ? glm::dvec2(place.y, place.x) : place, {query.key, number});
+}
+
+// Rays 0 to count - 1.
+inline OcclusionMask first_rays(int count) {
+  OcclusionMask mask;
+  for (int word = 0; 64 * word < count; ++word) {
+    mask.words[word] = ~std::uint64_t{0} >> (64 - std::min(64, count - 64 * word));
+  }
+  return mask;
 }
 
 // Calls `function(ray)` for every ray of the mask.

@@ -28,8 +28,8 @@ struct SceneLayout {
     return placements.size() == 1 && placements[0].is_identity() ? &mesh_of(placements[0]) : nullptr;
   }
 
-  const Node& root() const { return root_of(nodes); }
-  std::span<const Node> roots() const { return {&root(), 1}; }
+  // Where queries begin.
+  std::span<const Node> roots() const { return {&root_of(tree()), 1}; }
 
   // All nodes, the mesh's own where the scene is plain.
   std::span<const Node> tree() const {

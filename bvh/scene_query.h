@@ -12,6 +12,12 @@ inline bool may_block(const SceneLayout& scene, const Query& query, std::uint32_
   return (scene.placements[instance].groups & query.groups) != 0;
 }
 
+// Makes the query of a plain scene one of its mesh. False where that may block nothing.
+inline bool ask_mesh(const SceneLayout& scene, Query& query) {
+  if (query.excluded_instance != 0) query.excluded_primitive = kNoPrimitive;
+  return may_block(scene, query, 0);
+}
+
 // The same query of an instance's mesh, about the rays `open`, which are still in the world.
 inline Query query_of_instance(const SceneLayout& scene, const Query& query, std::uint32_t instance,
                                const OcclusionMask& open) {

@@ -19,53 +19,31 @@ struct PatternedNeighbourhood {
 };
 
 // What is behind a handle.
+template <typename Behinds, Kind kind>
+struct BehindIs {
+  using Object = Behinds;
+  static constexpr Kind kKind = kind;
+};
 template <typename Handle>
 struct Behind;
 template <>
-struct Behind<lkao_pattern> {
-  using Object = SamplePattern;
-  static constexpr Kind kKind = Kind::pattern;
-};
+struct Behind<lkao_pattern> : BehindIs<SamplePattern, Kind::pattern> {};
 template <>
-struct Behind<lkao_table> {
-  using Object = PlaneMaskTable;
-  static constexpr Kind kKind = Kind::table;
-};
+struct Behind<lkao_table> : BehindIs<PlaneMaskTable, Kind::table> {};
 template <>
-struct Behind<lkao_bvh> {
-  using Object = OccluderBvh;
-  static constexpr Kind kKind = Kind::bvh;
-};
+struct Behind<lkao_bvh> : BehindIs<OccluderBvh, Kind::bvh> {};
 template <>
-struct Behind<lkao_scene> {
-  using Object = OccluderScene;
-  static constexpr Kind kKind = Kind::scene;
-};
+struct Behind<lkao_scene> : BehindIs<OccluderScene, Kind::scene> {};
 template <>
-struct Behind<lkao_ao> {
-  using Object = AmbientOcclusion;
-  static constexpr Kind kKind = Kind::ao;
-};
+struct Behind<lkao_ao> : BehindIs<AmbientOcclusion, Kind::ao> {};
 template <>
-struct Behind<lkao_bundles> {
-  using Object = RayBundles;
-  static constexpr Kind kKind = Kind::bundles;
-};
+struct Behind<lkao_bundles> : BehindIs<RayBundles, Kind::bundles> {};
 template <>
-struct Behind<lkao_shadows> {
-  using Object = SoftShadows;
-  static constexpr Kind kKind = Kind::shadows;
-};
+struct Behind<lkao_shadows> : BehindIs<SoftShadows, Kind::shadows> {};
 template <>
-struct Behind<lkao_sky> {
-  using Object = SkyVisibility;
-  static constexpr Kind kKind = Kind::sky;
-};
+struct Behind<lkao_sky> : BehindIs<SkyVisibility, Kind::sky> {};
 template <>
-struct Behind<lkao_neighbourhood> {
-  using Object = PatternedNeighbourhood;
-  static constexpr Kind kKind = Kind::neighbourhood;
-};
+struct Behind<lkao_neighbourhood> : BehindIs<PatternedNeighbourhood, Kind::neighbourhood> {};
 
 // The object of a handle, which must be one.
 template <typename Handle>

@@ -41,7 +41,7 @@ OcclusionMask BundleTracer::Visit::trace_shape(const Receiver& receiver, std::ui
   const bvh::SceneLayout& scene = tracer_.occluders_.layout();
   const bvh::Layout* const mesh = scene.plain();
   const bool is_simd = tracer_.kernel_ == Kernel::simd;
-  bvh::Query query{.roots = mesh != nullptr ? mesh->roots() : scene.roots(),
+  bvh::Query query{.roots = scene.roots(),
                    .rays = rays,
                    .open = shape_.rays,
                    .radius = rays.radius,
@@ -52,8 +52,7 @@ OcclusionMask BundleTracer::Visit::trace_shape(const Receiver& receiver, std::ui
                    .key = key};
   if (entries_) query.roots = entries_->nodes();
   if (mesh == nullptr) return is_simd ? bvh::trace_simd(scene, query) : bvh::trace_scalar(scene, query);
-  if (!bvh::may_block(scene, query, 0)) return {};
-  if (query.excluded_instance != 0) query.excluded_primitive = kNoPrimitive;
+  if (!bvh::ask_mesh(scene, query)) return {};
   if (memories_) query.memory = &(*memories_)[0];
   return is_simd ? bvh::trace_simd(*mesh, query, shape_.cones) : bvh::trace_scalar(*mesh, query);
 }

@@ -17,27 +17,11 @@
 
 #include "lut/isa.h"
 #include "lut/simd/mask_bits-inl.h"
+#include "query/simd/vectors-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace lkao::query::HWY_NAMESPACE {
 namespace {
-
-namespace hn = hwy::HWY_NAMESPACE;
-using Tag = hn::CappedTag<float, 16>;
-using Floats = hn::Vec<Tag>;
-
-struct Vector {
-  Floats x, y, z;
-};
-
-HWY_INLINE Vector splat(const glm::vec3& v) {
-  const Tag tag;
-  return {hn::Set(tag, v.x), hn::Set(tag, v.y), hn::Set(tag, v.z)};
-}
-
-HWY_INLINE Floats dot(const Vector& a, const Vector& b) {
-  return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
-}
 
 // From points of the unit disk to points of a disc: all in its plane.
 class OnDisc {

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "bvh/cut_outs.h"
+#include "bvh/query.h"
 #include "lut/coordinates.h"
 #include "lut/isa.h"
 #include "query/batch.h"
@@ -43,7 +43,7 @@ void check(const glm::vec3& origin, std::span<const glm::vec3> bundle) {
 void lay_out(const glm::vec3& origin, std::span<const glm::vec3> bundle, ReceiverRays& rays) {
   rays.origin = origin;
   rays.ray_count = static_cast<int>(bundle.size());
-  rays.cast = OcclusionMask();
+  rays.cast = bvh::first_rays(rays.ray_count);
   for (int i = 0; i < rays.ray_count; ++i) {
     const glm::vec3& ray = bundle[static_cast<std::size_t>(i)];
     rays.x[i] = ray.x;
@@ -52,9 +52,6 @@ void lay_out(const glm::vec3& origin, std::span<const glm::vec3> bundle, Receive
   }
   const int lane_count = rays.word_count() * 64;
   for (int i = rays.ray_count; i < lane_count; ++i) rays.x[i] = rays.y[i] = rays.z[i] = 0;
-  for (int word = 0; word < rays.word_count(); ++word) rays.cast.words[word] = ~std::uint64_t{0};
-  const int rest = rays.ray_count % 64;
-  if (rest > 0) rays.cast.words[rays.word_count() - 1] = (std::uint64_t{1} << rest) - 1;
 }
 
 OcclusionMask trace(query::BundleTracer::Visit& visit, const RayBundle& bundle, ReceiverRays& rays) {

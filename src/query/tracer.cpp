@@ -84,7 +84,7 @@ OcclusionMask Tracer::Visit::trace_level(std::size_t level, const Receiver& rece
                                          std::uint64_t key, const OcclusionMask& open, const bvh::RayParts* parts) {
   const bvh::SceneLayout& scene = tracer_.levels_[level].occluders.layout();
   const bvh::Layout* const mesh = scene.plain();
-  bvh::Query query{.roots = mesh != nullptr ? mesh->roots() : scene.roots(),
+  bvh::Query query{.roots = scene.roots(),
                    .rays = rays,
                    .open = open,
                    .radius = rays.radius,
@@ -96,8 +96,7 @@ OcclusionMask Tracer::Visit::trace_level(std::size_t level, const Receiver& rece
                    .key = key};
   if (!entries_.empty()) query.roots = entries_[level].nodes();
   if (mesh == nullptr) return tracer_.trace(scene, query);
-  if (!bvh::may_block(scene, query, 0)) return {};
-  if (query.excluded_instance != 0) query.excluded_primitive = kNoPrimitive;
+  if (!bvh::ask_mesh(scene, query)) return {};
   if (memories_) query.memory = &(*memories_)[level];
   return tracer_.trace(*mesh, query);
 }

@@ -12,27 +12,11 @@
 
 #include "lut/isa.h"
 #include "lut/simd/mask_bits-inl.h"
+#include "query/simd/vectors-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace lkao::query::HWY_NAMESPACE {
 namespace {
-
-namespace hn = hwy::HWY_NAMESPACE;
-using Tag = hn::CappedTag<float, 16>;
-using Floats = hn::Vec<Tag>;
-
-struct Vector {
-  Floats x, y, z;
-};
-
-HWY_INLINE Vector splat(const glm::vec3& v) {
-  const Tag tag;
-  return {hn::Set(tag, v.x), hn::Set(tag, v.y), hn::Set(tag, v.z)};
-}
-
-HWY_INLINE Floats dot(const Vector& a, const Vector& b) {
-  return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
-}
 
 void turn_pattern(const PatternLanes& pattern, const glm::mat3& frame, float radius, const glm::vec3& up,
                   ReceiverRays& rays) {

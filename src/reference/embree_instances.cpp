@@ -4,20 +4,18 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <stdexcept>
 
-#include <fmt/format.h>
 #include <tbb/parallel_for.h>
 #include <glm/geometric.hpp>
-#include <glm/trigonometric.hpp>
 
 #include "bvh/placement.h"
 #include "reference/embree_buffers.h"
+#include "reference/embree_error.h"
+#include "scene/view.h"
 
 namespace lkao::reference {
 namespace {
 
-using scene::Camera;
 using scene::Mesh;
 using scene::embree::Geometry;
 using scene::embree::Scene;
@@ -46,35 +44,15 @@ void set_transform(RTCGeometry instance, const glm::mat4x3& to_world) {
   rtcCommitGeometry(instance);
 }
 
-// The ray through a pixel's centre.
-class Pixels {
- public:
-  Pixels(const Camera& camera, int width, int height) : eye_(camera.eye), width_(width), height_(height) {
-    forward_ = glm::normalize(glm::dvec3(camera.target) - eye_);
-    const glm::dvec3 right = glm::normalize(glm::cross(forward_, glm::dvec3(camera.up)));
-    const double half_width = std::tan(0.5 * glm::radians(double{camera.fov}));
-    right_ = half_width * right;
-    up_ = half_width * glm::cross(right, forward_);
-  }
-
-  RTCRayHit ray(int column, int row) const {
-    const double x = (2 * column + 1 - width_) / double(width_), y = (height_ - 2 * row - 1) / double(width_);
-    const glm::vec3 origin(eye_), direction(forward_ + x * right_ + y * up_);
-    RTCRayHit ray{};
-    ray.ray = {origin.x,    origin.y,    origin.z,
-               0,           direction.x, direction.y,
-               direction.z, 0,           std::numeric_limits<float>::infinity(),
-               ~0u,         0,           0};
-    ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-    return ray;
-  }
-
-  const glm::dvec3& eye() const { return eye_; }
-
- private:
-  glm::dvec3 eye_, forward_, right_, up_;
-  int width_, height_;
-};
+// A ray from the camera's eye.
+RTCRayHit camera_ray(const glm::vec3& origin, const glm::vec3& direction) {
+  RTCRayHit ray{};
+  ray.ray = {
+      origin.x, origin.y, origin.z, 0, direction.x, direction.y, direction.z, 0, std::numeric_limits<float>::infinity(),
+      ~0u,      0,        0};
+  ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  return ray;
+}
 
 Receiver receiver_at(const RTCHit& hit, const Mesh& mesh, const OccluderInstance& instance, const glm::dvec3& eye) {
   const glm::uvec3 triangle = mesh.triangles[hit.primID];
@@ -90,9 +68,9 @@ Receiver receiver_at(const RTCHit& hit, const Mesh& mesh, const OccluderInstance
 
 EmbreeInstances::EmbreeInstances(std::span<const Mesh> meshes, std::span<const OccluderInstance> instances, bool robust,
                                  const char* device_config)
-    : device_(rtcNewDevice(device_config)) {
+    : device_(make_device(device_config)) {
   for (const Mesh& mesh : meshes) meshes_.push_back(make_mesh_scene(device_.get(), mesh, robust));
-  check("meshes");
+  check(device_.get(), "meshes");
   scene_ = make_scene(device_.get(), robust);
   instances_.reserve(instances.size());
   for (const OccluderInstance& instance : instances) {
@@ -103,43 +81,37 @@ EmbreeInstances::EmbreeInstances(std::span<const Mesh> meshes, std::span<const O
     instances_.push_back(geometry.get());
   }
   rtcCommitScene(scene_.get());
-  check("instances");
+  check(device_.get(), "instances");
 }
 
 void EmbreeInstances::move(std::span<const InstanceMove> moves) {
   for (const InstanceMove& move : moves) set_transform(instances_[move.instance], move.to_world);
   rtcCommitScene(scene_.get());
-  check("moving instances");
+  check(device_.get(), "moving instances");
 }
 
 scene::ReceiverImage EmbreeInstances::see(std::span<const Mesh> meshes, std::span<const OccluderInstance> instances,
-                                          const Camera& camera, int width, int height) const {
+                                          const scene::Camera& camera, int width, int height) const {
   constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
   const auto pixel_count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   scene::ReceiverImage image{width, height, {}, {}, 0};
   image.receivers.resize(pixel_count, {.position = glm::vec3(kNan)});
   image.depth.resize(pixel_count, std::numeric_limits<float>::infinity());
-  const Pixels pixels(camera, width, height);
+  const scene::View view = scene::view_of(camera);
   tbb::parallel_for(0, height, [&](int row) {
     for (int column = 0; column < width; ++column) {
       scene::embree::RayQuery query;
-      RTCRayHit ray = pixels.ray(column, row);
+      RTCRayHit ray = camera_ray(view.eye, scene::pixel_direction(view, width, height, column, row));
       scene::embree::intersect(scene_.get(), query, ray);
       if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) continue;
       const OccluderInstance& instance = instances[ray.hit.instID[0]];
       const auto pixel = static_cast<std::size_t>(row * width + column);
-      image.receivers[pixel] = receiver_at(ray.hit, meshes[instance.mesh], instance, pixels.eye());
+      image.receivers[pixel] = receiver_at(ray.hit, meshes[instance.mesh], instance, view.eye);
       image.depth[pixel] = ray.ray.tfar;
     }
   });
   for (std::size_t i = 0; i < pixel_count; ++i) image.receiver_count += image.sees(i);
   return image;
-}
-
-void EmbreeInstances::check(const char* step) const {
-  const RTCError error = rtcGetDeviceError(device_.get());
-  if (error == RTC_ERROR_NONE) return;
-  throw std::runtime_error(fmt::format("Embree, {}: error {}", step, static_cast<int>(error)));
 }
 
 }  // namespace lkao::reference

@@ -31,8 +31,6 @@ class EmbreeInstances {
                            const scene::Camera& camera, int width, int height) const;
 
  private:
-  void check(const char* step) const;
-
   scene::embree::Device device_;
   std::vector<scene::embree::Scene> meshes_;
   std::vector<RTCGeometry> instances_;  // kept by the scene

@@ -11,28 +11,10 @@
 #include "lut/coordinates.h"
 #include "lut/mesh_views.h"
 #include "reference/embree_buffers.h"
+#include "reference/embree_error.h"
 
 namespace lkao::reference {
 namespace {
-
-const char* text_of(RTCError error) {
-  switch (error) {
-    case RTC_ERROR_OUT_OF_MEMORY:
-      return "out of memory";
-    case RTC_ERROR_UNSUPPORTED_CPU:
-      return "this CPU is not supported";
-    case RTC_ERROR_INVALID_ARGUMENT:
-      return "invalid argument";
-    case RTC_ERROR_INVALID_OPERATION:
-      return "invalid operation";
-    default:
-      return "unknown error";
-  }
-}
-
-[[noreturn]] void fail(const char* step, RTCError error) {
-  throw std::runtime_error(fmt::format("Embree, {}: {}", step, text_of(error)));
-}
 
 bool can_block(const PositionView& positions, const glm::uvec3& triangle) {
   const glm::vec3 a = positions[triangle.x], b = positions[triangle.y], c = positions[triangle.z];
@@ -56,11 +38,10 @@ void filter_hits(const RTCFilterFunctionNArguments* arguments) {
 static_assert(std::is_standard_layout_v<FilteredRays>, "the filter casts back from the first member");
 
 EmbreeScene::EmbreeScene(const TriangleMesh& mesh, bool robust, const char* device_config)
-    : device_(rtcNewDevice(device_config)), flags_(robust ? RTC_SCENE_FLAG_ROBUST : RTC_SCENE_FLAG_NONE) {
-  if (!device_) fail("new device", rtcGetDeviceError(nullptr));
+    : device_(make_device(device_config)), flags_(robust ? RTC_SCENE_FLAG_ROBUST : RTC_SCENE_FLAG_NONE) {
   lut::check_indices(mesh.triangles, mesh.positions.size());
   geometry_.reset(rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_TRIANGLE));
-  check("new geometry");
+  check(device_.get(), "new geometry");
   add_triangles(mesh);
   plain_ = build(flags_);
 }
@@ -75,20 +56,20 @@ void EmbreeScene::add_triangles(const TriangleMesh& mesh) {
   }
   positions_ = fill_positions(geometry_.get(), mesh.positions);
   triangles_ = fill_triangles(geometry_.get(), usable);
-  check("buffers");
+  check(device_.get(), "buffers");
   rtcSetGeometryBuildQuality(geometry_.get(), RTC_BUILD_QUALITY_HIGH);
   rtcCommitGeometry(geometry_.get());
-  check("geometry");
+  check(device_.get(), "geometry");
 }
 
 scene::embree::Scene EmbreeScene::build(unsigned flags) const {
   scene::embree::Scene scene(rtcNewScene(device_.get()));
-  check("new scene");
+  check(device_.get(), "new scene");
   rtcSetSceneFlags(scene.get(), static_cast<RTCSceneFlags>(flags));
   rtcSetSceneBuildQuality(scene.get(), RTC_BUILD_QUALITY_HIGH);
   rtcAttachGeometry(scene.get(), geometry_.get());
   rtcCommitScene(scene.get());
-  check("scene build");
+  check(device_.get(), "scene build");
   return scene;
 }
 
@@ -105,11 +86,6 @@ bool EmbreeScene::faces(unsigned embree_primitive, const glm::vec3& point) const
   const glm::vec3& a = positions_[triangle.x];
   const glm::dvec3 normal = bvh::area_vector(a, positions_[triangle.y], positions_[triangle.z]);
   return glm::dot(normal, glm::dvec3(point) - glm::dvec3(a)) > 0;
-}
-
-void EmbreeScene::check(const char* step) const {
-  const RTCError error = rtcGetDeviceError(device_.get());
-  if (error != RTC_ERROR_NONE) fail(step, error);
 }
 
 FilteredRays::FilteredRays(const EmbreeScene& embree_scene, const glm::vec3& ray_origin, std::uint32_t excluded,

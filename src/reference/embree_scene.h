@@ -30,7 +30,6 @@ class EmbreeScene {
  private:
   void add_triangles(const TriangleMesh& mesh);
   scene::embree::Scene build(unsigned flags) const;
-  void check(const char* step) const;
 
   scene::embree::Device device_;
   scene::embree::Geometry geometry_;

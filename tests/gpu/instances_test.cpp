@@ -8,22 +8,13 @@
 #include <glm/gtc/quaternion.hpp>
 
 #include "gpu/in_furnished_room.h"
+#include "support/instances.h"
 
 namespace lkao::gl::tests {
 namespace {
 
 using lkao::tests::random_point;
 using lkao::tests::random_rotation;
-
-// As transform.comp.glsl has it: in double, rounded once.
-glm::vec3 transformed(const glm::mat4x3& to_world, const glm::dvec3& p) {
-  glm::vec3 place;
-  for (int row = 0; row < 3; ++row) {
-    const double x = double{to_world[0][row]} * p.x, y = double{to_world[1][row]} * p.y;
-    place[row] = static_cast<float>(x + y + double{to_world[2][row]} * p.z + double{to_world[3][row]});
-  }
-  return place;
-}
 
 Mesh small_pyramid() {
   return {{{-0.3f, 0, -0.3f}, {0.3f, 0, -0.3f}, {0.3f, 0, 0.3f}, {-0.3f, 0, 0.3f}, {0.05f, 0.7f, 0}},
@@ -46,25 +37,9 @@ class InstancedOccluders : public InFurnishedRoom<64, 48> {
     return instances;
   }
 
-  // What a user without instances would do.
-  static Mesh flatten(const std::vector<MeshInstance>& instances) {
-    Mesh all;
-    for (const MeshInstance& instance : instances) {
-      const auto first = static_cast<glm::uint>(all.positions.size());
-      const bool is_mirrored = glm::determinant(glm::mat3(instance.to_world)) < 0;
-      for (std::size_t i = 0; i < instance.positions.size(); ++i) {
-        all.positions.push_back(transformed(instance.to_world, instance.positions[i]));
-      }
-      for (std::size_t i = 0; i < instance.triangles.size(); ++i) {
-        const glm::uvec3 triangle = instance.triangles[i] + first;
-        all.triangles.push_back(is_mirrored ? glm::uvec3(triangle.x, triangle.z, triangle.y) : triangle);
-      }
-    }
-    return all;
-  }
-
+  // What a user without instances would do. The shader finds positions as CPUs do.
   std::vector<std::uint64_t> draw_flattened(const std::vector<MeshInstance>& instances, const RayOptions& options) {
-    const Mesh flat = flatten(instances);
+    const Mesh flat = lkao::tests::flattened(instances);
     PassOnMesh pass = make_pass(flat, table_);
     return draw(pass, options);
   }
