@@ -65,7 +65,7 @@ void add_surroundings(SceneInput& scene, const SceneOptions& options, const glm:
   for (const std::string& file : options.blockers) {
     scene::Defects defects;
     scene::append(*scene.with_blockers,
-                  usable_mesh(file, scene::open_mesh_file(file, scene.mesh.origin), defects, scene.notes));
+                  usable_mesh(file, scene::open_mesh_file(file, {.origin = scene.mesh.origin}), defects, scene.notes));
   }
 }
 

@@ -132,7 +132,7 @@ class Reader {
 
   void read_mesh(std::size_t i, const std::optional<glm::dvec3>& origin, scene::Mesh& mesh) const {
     const Json& entry = document_["levels"][i];
-    mesh = scene::read_mesh_file((folder_ / entry["mesh"].get<std::string>()).string(), origin);
+    mesh = scene::read_mesh_file((folder_ / entry["mesh"].get<std::string>()).string(), {.origin = origin});
     const auto expect = [&](const char* key, std::size_t count) {
       if (entry[key].get<std::uint64_t>() == count) return;
       throw std::runtime_error(fmt::format("levels[{}].{}: {} has {}, expected {}", i, key,

@@ -13,6 +13,8 @@ struct Contents {
   std::size_t hidden_count = 0;    // nodes that are not shown, by the file's own word
   std::size_t uv_set_count = 0;    // most texture coordinates that a vertex has
   std::size_t cut_out_count = 0;   // triangles of a material with holes by transparency: they block as if whole
+  std::vector<std::string> materials =
+      {};  // their names, where texture coordinates were asked for; those without have ""
   // One line each, in words: what the file says, is not obeyed, and changes occlusion.
   std::vector<std::string> remarks;
 };

@@ -70,10 +70,14 @@ void drop_bad_triangles(Mesh& mesh) {
     if (!Facet(mesh, mesh.triangles[t]).is_usable()) continue;
     mesh.triangles[kept] = mesh.triangles[t];
     if (!mesh.normal_corners.empty()) mesh.normal_corners[kept] = mesh.normal_corners[t];
+    if (!mesh.uv_corners.empty()) mesh.uv_corners[kept] = mesh.uv_corners[t];
+    if (!mesh.materials.empty()) mesh.materials[kept] = mesh.materials[t];
     ++kept;
   }
   mesh.triangles.resize(kept);
   if (!mesh.normal_corners.empty()) mesh.normal_corners.resize(kept);
+  if (!mesh.uv_corners.empty()) mesh.uv_corners.resize(kept);
+  if (!mesh.materials.empty()) mesh.materials.resize(kept);
 }
 
 }  // namespace lkao::scene

@@ -11,7 +11,7 @@ namespace lkao::scene {
 // Throws std::runtime_error with one line that says what is wrong and where.
 Mesh load(const std::string& scene);
 
-// The same, and what the file holds besides; of a built-in scene nothing.
-MeshFile open(const std::string& scene);
+// The same, and what the file holds besides; of a built-in scene, which the options are not for, nothing.
+MeshFile open(const std::string& scene, const ReadOptions& options = {});
 
 }  // namespace lkao::scene

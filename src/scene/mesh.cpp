@@ -14,17 +14,22 @@ namespace lkao::scene {
 
 namespace {
 
-// Where only one of the meshes has normals, the corners of the other have none. The triangles are already joined.
-void append_normals(Mesh& mesh, const Mesh& part) {
-  if (mesh.normals.empty() && part.normals.empty()) return;
-  const auto first = static_cast<std::uint32_t>(mesh.normals.size());
-  mesh.normals.insert(mesh.normals.end(), part.normals.begin(), part.normals.end());
-  mesh.normal_corners.resize(mesh.triangles.size() - part.triangles.size(), glm::uvec3(kNoNormal));
-  for (glm::uvec3 corners : part.normal_corners) {
-    for (int i = 0; i < 3; ++i) corners[i] += corners[i] == kNoNormal ? 0 : first;
-    mesh.normal_corners.push_back(corners);
+// Values of corners, and which of them the corners of each triangle have. Where only one of two meshes has such values,
+// the corners of the other have none. The triangles are already joined.
+template <typename Value>
+void append_corners(std::vector<Value>& values, std::vector<glm::uvec3>& corners, std::size_t triangle_count,
+                    const std::vector<Value>& part_values, const std::vector<glm::uvec3>& part_corners,
+                    std::size_t part_triangle_count, std::uint32_t none) {
+  if (values.empty() && part_values.empty()) return;
+  const auto first = static_cast<std::uint32_t>(values.size());
+  values.insert(values.end(), part_values.begin(), part_values.end());
+  corners.reserve(triangle_count);
+  corners.resize(triangle_count - part_triangle_count, glm::uvec3(none));
+  for (glm::uvec3 numbers : part_corners) {
+    for (int i = 0; i < 3; ++i) numbers[i] += numbers[i] == none ? 0 : first;
+    corners.push_back(numbers);
   }
-  mesh.normal_corners.resize(mesh.triangles.size(), glm::uvec3(kNoNormal));
+  corners.resize(triangle_count, glm::uvec3(none));
 }
 
 }  // namespace
@@ -53,12 +58,16 @@ void append(Mesh& mesh, const Mesh& part) {
   for (const glm::uvec3& triangle : part.triangles) {
     mesh.triangles.push_back(triangle + static_cast<std::uint32_t>(first));
   }
-  append_normals(mesh, part);
+  const std::size_t count = mesh.triangles.size(), part_count = part.triangles.size();
+  append_corners(mesh.normals, mesh.normal_corners, count, part.normals, part.normal_corners, part_count, kNoNormal);
+  append_corners(mesh.uvs, mesh.uv_corners, count, part.uvs, part.uv_corners, part_count, kNoUv);
+  if (!mesh.materials.empty()) mesh.materials.resize(count, kNoMaterial);
 }
 
 void turn_round(Mesh& mesh) {
   for (glm::uvec3& triangle : mesh.triangles) std::swap(triangle.y, triangle.z);
   for (glm::uvec3& corners : mesh.normal_corners) std::swap(corners.y, corners.z);
+  for (glm::uvec3& corners : mesh.uv_corners) std::swap(corners.y, corners.z);
   for (glm::vec3& normal : mesh.normals) normal = -normal;
 }
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include "lkao/occluder_bvh.h"
@@ -12,6 +13,8 @@
 namespace lkao::scene {
 
 inline constexpr std::uint32_t kNoNormal = 0xffffffffu;
+inline constexpr std::uint32_t kNoUv = 0xffffffffu;
+inline constexpr std::uint32_t kNoMaterial = 0xffffffffu;
 
 struct Mesh {
   std::vector<glm::vec3> positions;  // less the origin
@@ -22,6 +25,13 @@ struct Mesh {
   std::vector<glm::vec3> normals = {};
   std::vector<glm::uvec3> normal_corners = {};
 
+  // Texture coordinates, where they were asked for: (0, 0) is the upper left corner of the image, (1, 1) the lower
+  // right one; and for every triangle which of them its corners have (or kNoUv). Both empty where there are none.
+  std::vector<glm::vec2> uvs = {};
+  std::vector<glm::uvec3> uv_corners = {};
+  // Of each triangle a number in Contents::materials, or kNoMaterial; empty where there are none.
+  std::vector<std::uint32_t> materials = {};
+
   // Far from zero a float is coarse: position + origin is where a vertex lies in its file (choose_origin).
   glm::dvec3 origin{0};
 
@@ -31,10 +41,11 @@ struct Mesh {
 // Box around the finite positions that some triangle uses; empty (lower > upper) where there is none.
 Bounds bounds_of(const Mesh& mesh);
 
-// Adds the triangles of `part`, which has the same origin, behind those of `mesh`.
+// Adds the triangles of `part`, which has the same origin, behind those of `mesh`. Its materials are not among those of
+// the mesh: its triangles have none.
 void append(Mesh& mesh, const Mesh& part);
 
-// Turns all triangles round, with their normals: what was inside is outside.
+// Turns all triangles round, with their normals: what was inside is outside. Corners keep their texture coordinates.
 void turn_round(Mesh& mesh);
 
 // Of all corners of triangles, those for which no normal came with the mesh.

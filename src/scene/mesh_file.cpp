@@ -92,14 +92,14 @@ void take_normals(FileMesh& file, Mesh& mesh) {
 
 }  // namespace
 
-MeshFile open_mesh_file(const std::string& path, const std::optional<glm::dvec3>& origin) {
+MeshFile open_mesh_file(const std::string& path, const ReadOptions& options) {
   try {
     FileMesh file = read_by_extension(path);
     check_indices(file);
     if (file.triangles.empty()) throw std::runtime_error("there are no triangles in it");
     cut_polygons(file);
     MeshFile result{.mesh = {}, .contents = std::move(file.contents)};
-    result.mesh.origin = origin ? *origin : origin_of(file);
+    result.mesh.origin = options.origin ? *options.origin : origin_of(file);
     // Where the file names the same one, positions stay as they are, bit for bit.
     const glm::dvec3 shift = file.origin - result.mesh.origin;
     result.mesh.positions.reserve(file.positions.size());
@@ -112,8 +112,6 @@ MeshFile open_mesh_file(const std::string& path, const std::optional<glm::dvec3>
   }
 }
 
-Mesh read_mesh_file(const std::string& path, const std::optional<glm::dvec3>& origin) {
-  return open_mesh_file(path, origin).mesh;
-}
+Mesh read_mesh_file(const std::string& path, const ReadOptions& options) { return open_mesh_file(path, options).mesh; }
 
 }  // namespace lkao::scene

@@ -14,17 +14,22 @@ struct MeshFile {
   Contents contents;
 };
 
+struct ReadOptions {
+  // Of the mesh; without it the one that the file names (write_ply), or what lkao::choose_origin() says.
+  std::optional<glm::dvec3> origin = {};
+  // The number of the texture coordinates to read, with the materials that they are for; without it neither is read.
+  std::optional<int> uv_set = {};
+};
+
 // Reads every triangle of the file: node transforms applied, polygons cut into triangles, points and lines left out,
 // degenerate and non-finite triangles kept (drop_bad_triangles sorts those out). Vertices keep the file's numbers, used
 // or not; only those of STL, which gives every corner its own, are joined where their positions are equal.
-// The mesh's origin is `origin`, or without it the one that the file names (write_ply), or what lkao::choose_origin()
-// says.
 //
 // Throws std::runtime_error with one line naming the file and the fault: missing, a directory, an unsupported type,
 // empty, truncated or malformed, an index out of range, no triangles.
-MeshFile open_mesh_file(const std::string& path, const std::optional<glm::dvec3>& origin = {});
+MeshFile open_mesh_file(const std::string& path, const ReadOptions& options = {});
 
 // The mesh alone.
-Mesh read_mesh_file(const std::string& path, const std::optional<glm::dvec3>& origin = {});
+Mesh read_mesh_file(const std::string& path, const ReadOptions& options = {});
 
 }  // namespace lkao::scene

@@ -41,7 +41,7 @@ TEST(MeshFile, KeepsDetailFarAway) {
 TEST(MeshFile, TakesAGivenOrigin) {
   const TemporaryFolder folder;
   const std::string path = folder.write("a.off", "OFF 3 1 0\n101 0 0\n102 0 0\n101 1 0\n3 0 1 2\n");
-  const Mesh mesh = read_mesh_file(path, glm::dvec3(100, 0, 0));
+  const Mesh mesh = read_mesh_file(path, {.origin = glm::dvec3(100, 0, 0)});
   EXPECT_EQ(mesh.origin, glm::dvec3(100, 0, 0));
   EXPECT_EQ(mesh.positions[1], glm::vec3(2, 0, 0));
 }

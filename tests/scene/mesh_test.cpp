@@ -33,6 +33,31 @@ TEST(TurnRound, TurnsTrianglesAndTheirNormals) {
   EXPECT_EQ(vertex_normals(mesh)[0], glm::vec3(0, 0, -1));
 }
 
+TEST(Mesh, TextureCoordinatesStayWithTheirCorners) {
+  Mesh mesh = unit_triangle();
+  mesh.uvs = {{0, 1}, {1, 1}, {0, 0}};
+  mesh.uv_corners = {{0, 1, 2}};
+  mesh.materials = {7};
+  turn_round(mesh);
+  EXPECT_EQ(mesh.uv_corners, (std::vector<glm::uvec3>{{0, 2, 1}}));
+
+  append(mesh, unit_triangle());
+  const std::vector<glm::uvec3> joined = {{0, 2, 1}, glm::uvec3(kNoUv)};
+  EXPECT_EQ(mesh.uv_corners, joined);
+  EXPECT_EQ(mesh.materials, (std::vector<std::uint32_t>{7, kNoMaterial}));
+  Mesh plain = unit_triangle();
+  append(plain, mesh);
+  EXPECT_EQ(plain.uv_corners, (std::vector<glm::uvec3>{glm::uvec3(kNoUv), {0, 2, 1}, glm::uvec3(kNoUv)}));
+  EXPECT_TRUE(plain.materials.empty());
+
+  mesh.triangles.insert(mesh.triangles.begin(), glm::uvec3(0));
+  mesh.uv_corners.insert(mesh.uv_corners.begin(), glm::uvec3(1));
+  mesh.materials.insert(mesh.materials.begin(), 3);
+  drop_bad_triangles(mesh);
+  EXPECT_EQ(mesh.uv_corners, joined);
+  EXPECT_EQ(mesh.materials, (std::vector<std::uint32_t>{7, kNoMaterial}));
+}
+
 TEST(Mesh, CountsCornersWithoutNormal) {
   Mesh mesh = unit_triangle();
   EXPECT_EQ(count_corners_without_normal(mesh), 3);

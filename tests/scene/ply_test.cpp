@@ -223,7 +223,7 @@ TEST(Ply, AnOriginInACommentIsThatOfTheMesh) {
   const Mesh mesh = read_mesh_file(folder.write("a.ply", text));
   EXPECT_EQ(mesh.origin, glm::dvec3(448262, 5413678, 112));
   EXPECT_EQ(mesh.positions[0], glm::vec3(0, 0, 0.25f));
-  const Mesh moved = read_mesh_file(folder.path("a.ply"), glm::dvec3(448260, 5413678, 112));
+  const Mesh moved = read_mesh_file(folder.path("a.ply"), {.origin = glm::dvec3(448260, 5413678, 112)});
   EXPECT_EQ(moved.positions[0], glm::vec3(2, 0, 0.25f));
   text.replace(text.find("448262"), 6, "of the");
   EXPECT_EQ(read_mesh_file(folder.write("a.ply", text)).origin, glm::dvec3(0)) << "an ordinary comment";
