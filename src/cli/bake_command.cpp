@@ -129,9 +129,19 @@ void check_options(const BakeOptions& options) {
   check_question(options.baking.method, options.baking.occlusion);
 }
 
+void bake_part(BakeOptions options) {
+  PartOptions& parts = options.baking.parts;
+  OutputFiles outputs(options.baking.scene.inputs());
+  const JsonOutput json(options.common.json_path, outputs);
+  parts.writer = begin_part(parts, options.output, outputs);
+  ProgressBar progress(!options.common.quiet);
+  end_part(parts, options.output, compute_baking(options.baking, progress).batch, options.common, json);
+}
+
 void bake(const BakeOptions& options) {
   check_options(options);
-  OutputFiles outputs(options.baking.scene.inputs());
+  if (options.baking.parts.part) return bake_part(options);
+  OutputFiles outputs(options.baking.parts.with_merged(options.baking.scene.inputs()));
   const std::string mesh_path = outputs.claim(options.output);
   const JsonOutput json(options.common.json_path, outputs);
 
@@ -170,6 +180,7 @@ void add_options(CLI::App& app, BakeOptions& options) {
   app.add_flag("--linear", options.linear, "Grey without the curve of sRGB");
   app.add_flag("--quality", options.properties.quality, "Add the property quality, the visibility, for MeshLab (.ply)");
   add_baking_options(app, options.baking);
+  add_part_options(app, options.baking.parts);
   add_common_options(app, options.common);
   app.footer(
       "Every corner of a triangle is a receiver, a little inside the triangle, and casts --samples rays; a vertex has "

@@ -2,59 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <utility>
 
 #include "bake/corner_receivers.h"
 #include "bake/face_samples.h"
 #include "bake/least_squares.h"
 #include "bake/split_vertices.h"
-#include "cli/normals_option.h"
-#include "method/occluders.h"
+#include "cli/baking_steps.h"
 
 namespace lkao::cli {
 namespace {
-
-void load(const BakingOptions& options, Baking& result, ProgressBar& progress) {
-  progress.begin("loading " + options.scene.name);
-  result.scene = load_scene(options.scene);
-  result.radius = resolve_radius(options.occlusion.radius, result.scene);
-  result.normals = choose_normals(options.normals, result.scene);
-  add_surroundings(result.scene, options.scene, options.up, result.radius);
-  progress.clear();
-  print_notes(result.scene.notes);
-}
-
-// A method that is ready to answer about a scene.
-class Asker {
- public:
-  Asker(const BakingOptions& options, Baking& result, ProgressBar& progress)
-      : ray_count_(options.occlusion.ray_count),
-        result_(result),
-        progress_(progress),
-        method_(options.method.kind->open(options.method.settings)) {
-    progress.begin("building the hierarchy");
-    method::Occluders occluders(result.scene.occluders());
-    method_->prepare({occluders, options.occlusion.question(result.radius)});
-    result.build_seconds = occluders.build_seconds();
-  }
-
-  // Receiver k has index k.
-  std::vector<float> operator()(const std::vector<Receiver>& receivers) const {
-    method::Batch& batch = result_.batch;
-    batch = method::run_batch(*method_, ray_count_, receivers,
-                              {.progress = progress_.watch("casting rays", receivers.size())});
-    result_.receiver_count = receivers.size() - batch.invalid_receiver_count;
-    result_.remarks = method_->remarks();
-    return std::move(batch.occlusion);
-  }
-
- private:
-  int ray_count_;
-  Baking& result_;
-  ProgressBar& progress_;
-  std::unique_ptr<method::Method> method_;
-};
 
 // One a place.
 std::vector<float> values_of_places(const BakingOptions& options, const SceneInput& scene,
@@ -72,7 +29,7 @@ std::vector<float> values_of_places(const BakingOptions& options, const SceneInp
 
 Baking compute_baking(const BakingOptions& options, ProgressBar& progress) {
   Baking result;
-  load(options, result, progress);
+  load_for_baking(options, result, progress);
   const Asker ask(options, result, progress);
   std::vector<float> occlusion;
   {

@@ -10,6 +10,7 @@
 #include "bake/places.h"
 #include "cli/method_options.h"
 #include "cli/options.h"
+#include "cli/parts.h"
 #include "cli/progress_bar.h"
 #include "cli/scene_input.h"
 #include "method/batch.h"
@@ -29,6 +30,7 @@ struct BakingOptions {
   std::optional<scene::NormalSource> normals;
   bake::Per per = bake::Per::vertex;
   Filter filter = Filter::none;
+  PartOptions parts;
 };
 
 struct Baking {

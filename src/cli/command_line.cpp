@@ -50,9 +50,9 @@ int run(int argc, char** argv) {
   CLI::App program("Laine-Karras bitmask ambient occlusion: mesh files in, images of occlusion out.", "lkao");
   program.set_version_flag("--version", version_report());
   program.require_subcommand(0, 1);
-  const std::vector<Command> commands = {add_render_command(program), add_bake_command(program),
-                                         add_compare_command(program), add_info_command(program),
-                                         add_simplify_command(program)};
+  const std::vector<Command> commands = {add_render_command(program),   add_bake_command(program),
+                                         add_compare_command(program),  add_info_command(program),
+                                         add_simplify_command(program), add_merge_command(program)};
 
   if (argc > 1 && argv[1][0] != '-') check_command_name(commands, argv[1]);
   try {
@@ -68,6 +68,13 @@ int run(int argc, char** argv) {
 }
 
 }  // namespace
+
+int run_command(std::vector<std::string> arguments) {
+  std::string program = "lkao";
+  std::vector<char*> argv = {program.data()};
+  for (std::string& argument : arguments) argv.push_back(argument.data());
+  return run(static_cast<int>(argv.size()), argv.data());
+}
 
 int answer_command_line(int argc, char** argv) {
   try {

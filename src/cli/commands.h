@@ -27,5 +27,6 @@ Command add_bake_command(CLI::App& program);
 Command add_compare_command(CLI::App& program);
 Command add_info_command(CLI::App& program);
 Command add_simplify_command(CLI::App& program);
+Command add_merge_command(CLI::App& program);
 
 }  // namespace lkao::cli

@@ -137,6 +137,11 @@ void check_options(const RenderOptions& options) {
   check_abilities(options.rendering);
   check_light(options.rendering);
   check_levels(options.rendering);
+  check_part(options.rendering.parts, options.rendering.method);
+  if (options.rendering.parts.part && options.rendering.reference) {
+    throw std::invalid_argument(
+        "--part: what a part is checked against would not be in its file; leave out --reference");
+  }
   const CameraOptions& camera = options.rendering.camera;
   if (camera.eye && camera.target && *camera.eye == *camera.target) {
     throw std::invalid_argument("--eye and --target are the same point");
@@ -154,9 +159,19 @@ void report_oddities(const Rendering& result) {
   report_fully_blocked(result.scene, "points that the camera sees", result.batch, result.radius);
 }
 
+void render_part(RenderOptions options) {
+  PartOptions& parts = options.rendering.parts;
+  OutputFiles outputs(options.rendering.scene.inputs());
+  const JsonOutput json(options.common.json_path, outputs);
+  parts.writer = begin_part(parts, options.output, outputs);
+  ProgressBar progress(!options.common.quiet);
+  end_part(parts, options.output, compute_rendering(options.rendering, progress).batch, options.common, json);
+}
+
 void render(const RenderOptions& options) {
   check_options(options);
-  OutputFiles outputs(options.rendering.scene.inputs());
+  if (options.rendering.parts.part) return render_part(options);
+  OutputFiles outputs(options.rendering.parts.with_merged(options.rendering.scene.inputs()));
   const std::string image_path = outputs.claim_image(options.output);
   const std::string preview_path = options.preview.empty() ? "" : outputs.claim_image(options.preview);
   const JsonOutput json(options.common.json_path, outputs);
@@ -203,6 +218,7 @@ void add_options(CLI::App& app, RenderOptions& options) {
   app.add_flag("--bent-normals", rendering.layers.bent_normals, "Add the channels bent.X, bent.Y, bent.Z (.exr)");
   app.add_flag("--depth", rendering.layers.depth, "Add the channel depth.Z: infinity where nothing is seen (.exr)");
   app.add_flag("--normal-channels", rendering.layers.normals, "Add the channels normal.X, normal.Y, normal.Z (.exr)");
+  add_part_options(app, rendering.parts);
   add_common_options(app, options.common);
   app.footer(
       "An .exr has the channel occlusion: 0 is open, 1 fully blocked, and 0 where nothing is seen. With --light it is "

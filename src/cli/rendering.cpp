@@ -22,7 +22,7 @@ struct Methods {
 
 Methods open(const RenderingOptions& options) {
   const auto& [kind, settings] = options.method;
-  Methods methods{kind->open(settings), nullptr};
+  Methods methods{open_method(options.method, options.parts), nullptr};
   methods.asked->require_size(options.size.width, options.size.height);
   if (options.reference) methods.check = method::reference_of(*kind).open(settings);
   return methods;

@@ -12,6 +12,7 @@
 #include "cli/method_options.h"
 #include "cli/options.h"
 #include "cli/parse.h"
+#include "cli/parts.h"
 #include "cli/progress_bar.h"
 #include "cli/render_images.h"
 #include "cli/scene_input.h"
@@ -32,6 +33,7 @@ struct RenderingOptions {
   std::optional<LodOption> lod;
   std::optional<LightOption> light;
   std::optional<scene::NormalSource> normals;
+  PartOptions parts;
 };
 
 struct Rendering {
