@@ -106,8 +106,8 @@ class LKAO_API AmbientOcclusion {
 
   // One receiver, in the calling thread. `index` with the seed gives the jitter: use the pixel, the vertex
   // or the sample number. Allocates nothing but the thread's memory of blockers, once. Needs 120 KiB of stack, and
-  // 2.5 KiB more for each level of nodes in the hierarchy (some 10; never more than 64). So does every other query, in
-  // each thread that runs it.
+  // 2.5 KiB more for each level of nodes in the hierarchy (some 10; never more than 64); with instances 60 KiB more,
+  // and the levels of nodes over them count as well. So does every other query, in each thread that runs it.
   ReceiverOcclusion query(const Receiver& receiver, std::uint64_t index) const;
 
   // The mask alone, for those who count its bits themselves: no bent normal is computed, which is a loop over all rays.
