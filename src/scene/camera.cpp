@@ -15,87 +15,19 @@
 #include <glm/trigonometric.hpp>
 
 #include "lut/coordinates.h"
-#include "scene/embree.h"
 #include "scene/facet.h"
+#include "scene/first_hits.h"
 #include "scene/view.h"
 
 namespace lkao::scene {
 
 namespace {
 
-constexpr std::uint32_t kNothing = RTC_INVALID_GEOMETRY_ID;
-
-using embree::Device;
-using embree::Scene;
-
-// The triangles that can be seen: with a plane, and of finite corners. The others keep their numbers.
-std::vector<glm::uvec3> visible_triangles(const Mesh& mesh) {
-  std::vector<glm::uvec3> triangles = mesh.triangles;
-  for (glm::uvec3& triangle : triangles) {
-    if (!Facet(mesh, triangle).is_usable()) triangle = glm::uvec3(triangle.x);
-  }
-  return triangles;
-}
-
-Scene make_scene(RTCDevice device, const Mesh& mesh, const std::vector<glm::uvec3>& triangles) {
-  Scene scene(rtcNewScene(device));
-  rtcSetSceneFlags(scene.get(), RTC_SCENE_FLAG_ROBUST);
-  RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-  // Copied, as Embree reads 4 bytes past the end of a shared buffer.
-  void* vertices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(glm::vec3),
-                                           std::max<std::size_t>(mesh.positions.size(), 1));
-  void* indices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, sizeof(glm::uvec3),
-                                          std::max<std::size_t>(triangles.size(), 1));
-  if (vertices == nullptr || indices == nullptr) {
-    rtcReleaseGeometry(geometry);
-    throw std::runtime_error("find_receivers: out of memory for the primary rays");
-  }
-  std::fill_n(static_cast<glm::uvec3*>(indices), std::max<std::size_t>(triangles.size(), 1), glm::uvec3(0));
-  std::copy(mesh.positions.begin(), mesh.positions.end(), static_cast<glm::vec3*>(vertices));
-  std::copy(triangles.begin(), triangles.end(), static_cast<glm::uvec3*>(indices));
-  rtcCommitGeometry(geometry);
-  rtcAttachGeometry(scene.get(), geometry);
-  rtcReleaseGeometry(geometry);
-  rtcJoinCommitScene(scene.get());
-  const RTCError error = rtcGetDeviceError(device);
-  if (error != RTC_ERROR_NONE) {
-    throw std::runtime_error(fmt::format("find_receivers: Embree error {}", static_cast<int>(error)));
-  }
-  return scene;
-}
-
-struct Hit {
-  std::uint32_t triangle = kNothing;
-  float u = 0;
-  float v = 0;
-};
-
-// The first hit farther than `near`, in lengths of the direction.
-Hit cast(RTCScene scene, const glm::dvec3& origin, const glm::dvec3& direction, double near = 0) {
-  RTCRayHit query{};
-  query.ray.tnear = static_cast<float>(near);
-  query.ray.org_x = static_cast<float>(origin.x);
-  query.ray.org_y = static_cast<float>(origin.y);
-  query.ray.org_z = static_cast<float>(origin.z);
-  query.ray.dir_x = static_cast<float>(direction.x);
-  query.ray.dir_y = static_cast<float>(direction.y);
-  query.ray.dir_z = static_cast<float>(direction.z);
-  query.ray.tfar = std::numeric_limits<float>::infinity();
-  query.ray.mask = ~0u;
-  query.hit.geomID = kNothing;
-  embree::RayQuery rays;
-  embree::intersect(scene, rays, query);
-  if (query.hit.geomID == kNothing) return {};
-  return {query.hit.primID, query.hit.u, query.hit.v};
-}
-
-Receiver receiver_at(const CornerNormals& normals, const Hit& hit, const glm::dvec3& eye) {
+Receiver receiver_at(const CornerNormals& normals, const SurfaceHit& hit, const glm::dvec3& eye) {
   const Mesh& mesh = normals.mesh();
   const Facet facet(mesh, mesh.triangles[hit.triangle]);
-  // Robust hits may lie a rounding error outside; the surface ends at its edges.
-  const double u = std::clamp(static_cast<double>(hit.u), 0.0, 1.0);
-  const double v = std::clamp(static_cast<double>(hit.v), 0.0, 1.0 - u);
-  const glm::dvec3 position = (1 - u - v) * glm::dvec3(facet.a) + u * glm::dvec3(facet.b) + v * glm::dvec3(facet.c);
+  const glm::dvec3& w = hit.weights;
+  const glm::dvec3 position = w.x * glm::dvec3(facet.a) + w.y * glm::dvec3(facet.b) + w.z * glm::dvec3(facet.c);
   const auto [facet_normal, corners] = normals.of(hit.triangle);
   const double side = glm::dot(facet_normal, eye - position) < 0 ? -1 : 1;
   Receiver receiver;
@@ -103,8 +35,7 @@ Receiver receiver_at(const CornerNormals& normals, const Hit& hit, const glm::dv
   receiver.normal = glm::vec3(side * facet_normal);
   if (normals.source() == NormalSource::facet) return receiver;
   receiver.geometric_normal = receiver.normal;
-  const glm::dvec3 normal =
-      (1 - u - v) * glm::dvec3(corners[0]) + u * glm::dvec3(corners[1]) + v * glm::dvec3(corners[2]);
+  const glm::dvec3 normal = w.x * glm::dvec3(corners[0]) + w.y * glm::dvec3(corners[1]) + w.z * glm::dvec3(corners[2]);
   receiver.normal = glm::vec3(side * glm::normalize(normal));
   return receiver;
 }
@@ -151,22 +82,18 @@ double distance_to_fit(const Bounds& bounds, const glm::dvec3& to_eye, const glm
 // What casts the rays of pixels.
 class Tracer {
  public:
-  Tracer(const Mesh& mesh, NormalSource normals) : normals_(mesh, normals), device_(rtcNewDevice(nullptr)) {
-    if (!device_) throw std::runtime_error("find_receivers: Embree cannot make a device");
-    scene_ = make_scene(device_.get(), mesh, visible_triangles(mesh));
-  }
+  Tracer(const Mesh& mesh, NormalSource normals) : normals_(mesh, normals), hits_(mesh) {}
 
   // Where nothing is hit: none.
   std::optional<Receiver> first(const glm::dvec3& eye, const glm::dvec3& direction, double near) const {
-    const Hit hit = cast(scene_.get(), eye, direction, near);
-    if (hit.triangle == kNothing) return std::nullopt;
-    return receiver_at(normals_, hit, eye);
+    const std::optional<SurfaceHit> hit = hits_.cast(eye, direction, near);
+    if (!hit) return std::nullopt;
+    return receiver_at(normals_, *hit, eye);
   }
 
  private:
   CornerNormals normals_;
-  Device device_;
-  Scene scene_;
+  FirstHits hits_;
 };
 
 ReceiverImage empty_image(int width, int height) {
