@@ -7,39 +7,13 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "lut/ray_options.h"
+#include "bake/edge_clearance.h"
 #include "scene/facet.h"
 
 namespace lkao::bake {
 namespace {
 
 using scene::Facet;
-
-// How far corner receivers stay from the edges of their triangle. Rays start above the facet by the surface offset h,
-// 2^-20 of the largest coordinate, and positions are rounded by a sixteenth of that. At 16 h from an edge rounding does
-// not matter, and an origin is on the open side of any wall along the edge that leans over the facet by an angle of
-// more than atan(1 / 16), 4 degrees. Occlusion that changes within 16 h is none that a vertex can show.
-constexpr float kOffsetsFromEdges = 16;
-
-double clearance(const Bounds& occluders) {
-  const glm::vec3 farthest = glm::max(glm::abs(occluders.lower), glm::abs(occluders.upper));
-  const float largest = std::max(farthest.x, std::max(farthest.y, farthest.z));
-  return static_cast<double>(kOffsetsFromEdges * lut::relative_surface_offset({}) * largest);
-}
-
-// The point farthest from all edges, and that distance.
-struct InscribedCircle {
-  glm::dvec3 center;
-  double radius;
-
-  explicit InscribedCircle(const Facet& facet) {
-    const glm::dvec3 a(facet.a), b(facet.b), c(facet.c);
-    const glm::dvec3 sides(glm::distance(b, c), glm::distance(c, a), glm::distance(a, b));
-    const double perimeter = sides.x + sides.y + sides.z;
-    center = (sides.x * a + sides.y * b + sides.z * c) / perimeter;
-    radius = 2 * facet.area() / perimeter;
-  }
-};
 
 // A mean in two ranks: those of the lower one count where there are no others.
 struct RankedMean {
@@ -62,7 +36,7 @@ struct RankedMean {
 
 std::vector<Receiver> corner_receivers(const scene::CornerNormals& normals, const Bounds& occluders) {
   const scene::Mesh& mesh = normals.mesh();
-  const double distance = clearance(occluders);
+  const double distance = edge_clearance(occluders);
   std::vector<Receiver> receivers;
   receivers.reserve(3 * mesh.triangles.size());
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -83,7 +57,7 @@ std::vector<Receiver> corner_receivers(const scene::CornerNormals& normals, cons
 
 std::vector<float> average_at_places(const scene::Mesh& mesh, const Places& places, std::span<const float> occlusion,
                                      const Bounds& occluders) {
-  const double distance = clearance(occluders);
+  const double distance = edge_clearance(occluders);
   std::vector<RankedMean> means(places.count);
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const Facet facet(mesh, mesh.triangles[t]);
