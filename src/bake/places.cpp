@@ -16,19 +16,27 @@ constexpr float kSameNormal = 0.99985f;
 
 std::uint32_t number_of(std::uint32_t triangle, std::uint32_t corner) { return 3 * triangle + corner; }
 
-// Joins corners around one position, edge by edge.
-void join_smooth(const scene::CornerNormals& normals, scene::DisjointSets& sets) {
-  const bool is_faceted = normals.source() == scene::NormalSource::facet;
-  for (const scene::SharedEdge& edge : scene::shared_edges(normals.mesh())) {
+// Of both ends of an edge: whether the corners there shade as one surface.
+struct SmoothEnds {
+  bool from_of_first, to_of_first;
+
+  SmoothEnds(const scene::CornerNormals& normals, const scene::SharedEdge& edge) {
     const scene::EdgeSide &a = edge.sides[0], &b = edge.sides[1];
     const std::array<glm::vec3, 3> of_a = normals.of(a.triangle).corners, of_b = normals.of(b.triangle).corners;
+    const bool is_faceted = normals.source() == scene::NormalSource::facet;
     const float least = is_faceted ? static_cast<float>(kSmoothBend) : kSameNormal;
-    const auto join_if_same = [&](std::uint32_t corner_a, std::uint32_t corner_b) {
-      if (glm::dot(of_a[corner_a], of_b[corner_b]) < least) return;
-      sets.join(number_of(a.triangle, corner_a), number_of(b.triangle, corner_b));
-    };
-    join_if_same(a.from, b.to());
-    join_if_same(a.to(), b.from);
+    from_of_first = glm::dot(of_a[a.from], of_b[b.to()]) >= least;
+    to_of_first = glm::dot(of_a[a.to()], of_b[b.from]) >= least;
+  }
+};
+
+// Joins corners around one position, edge by edge.
+void join_smooth(const scene::CornerNormals& normals, scene::DisjointSets& sets) {
+  for (const scene::SharedEdge& edge : scene::shared_edges(normals.mesh())) {
+    const scene::EdgeSide &a = edge.sides[0], &b = edge.sides[1];
+    const SmoothEnds is_smooth(normals, edge);
+    if (is_smooth.from_of_first) sets.join(number_of(a.triangle, a.from), number_of(b.triangle, b.to()));
+    if (is_smooth.to_of_first) sets.join(number_of(a.triangle, a.to()), number_of(b.triangle, b.from));
   }
 }
 
@@ -46,6 +54,11 @@ void join_vertices(const scene::Mesh& mesh, scene::DisjointSets& sets) {
 }
 
 }  // namespace
+
+bool shades_as_one(const scene::CornerNormals& normals, const scene::SharedEdge& edge) {
+  const SmoothEnds is_smooth(normals, edge);
+  return is_smooth.from_of_first && is_smooth.to_of_first;
+}
 
 Places make_places(const scene::CornerNormals& normals, Per per) {
   const scene::Mesh& mesh = normals.mesh();

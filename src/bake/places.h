@@ -8,6 +8,7 @@
 #include <glm/vec3.hpp>
 
 #include "scene/corner_normals.h"
+#include "scene/shared_edges.h"
 
 namespace lkao::bake {
 
@@ -30,5 +31,8 @@ struct Places {
 // For vertices or corners. Corners at one position shade as one surface where they are joined by edges and have the
 // same normal; or where all have their facet's normal, by edges that bend little.
 Places make_places(const scene::CornerNormals& normals, Per per);
+
+// Whether corners at both ends of an edge shade as one surface with those on the other side, by the same rule.
+bool shades_as_one(const scene::CornerNormals& normals, const scene::SharedEdge& edge);
 
 }  // namespace lkao::bake
