@@ -52,23 +52,35 @@ void check_indices(const FileMesh& mesh) {
   }
 }
 
-FileMesh read_by_extension(const std::string& path) {
+FileMesh read_by_extension(const std::string& path, std::optional<int> uv_set) {
   const std::string extension = extension_of(path);
   const FileBytes file = read_file(path);
   const std::string_view bytes = file.view();
   if (bytes.empty()) throw std::runtime_error("the file is empty");
-  if (extension == "ply") return read_ply(bytes);
-  if (extension == "off") return read_off(bytes);
+  if (extension == "ply") return read_ply(bytes, uv_set);
+  if (extension == "off") return read_off(bytes, uv_set);
   if (extension == "stl") return read_stl(bytes);
   if (extension == "obj") {
-    return read_obj(bytes, [&](const std::string& name) { return read_beside(path, name); });
+    return read_obj(
+        bytes, [&](const std::string& name) { return read_beside(path, name); }, uv_set);
   }
-  if (extension == "gltf" || extension == "glb") return read_gltf(path, bytes);
+  if (extension == "gltf" || extension == "glb") return read_gltf(path, bytes, uv_set);
   throw std::runtime_error("not a supported mesh type (known: .obj .ply .stl .off .gltf .glb)");
 }
 
 glm::dvec3 origin_of(const FileMesh& file) {
   return file.origin != glm::dvec3(0.0) ? file.origin : choose_origin({file.positions, glm::dvec3(0.0)});
+}
+
+// Corners with numbers of values that are not there, or not usable, get `none`.
+template <typename Value, typename IsUsable>
+void leave_out_unusable(std::vector<glm::uvec3>& corners, const std::vector<Value>& values, std::uint32_t none,
+                        const IsUsable& is_usable) {
+  for (glm::uvec3& numbers : corners) {
+    for (int i = 0; i < 3; ++i) {
+      if (numbers[i] >= values.size() || !is_usable(values[numbers[i]])) numbers[i] = none;
+    }
+  }
 }
 
 // Normals of length one; corners with another have none.
@@ -81,20 +93,28 @@ void take_normals(FileMesh& file, Mesh& mesh) {
     has_any = has_any || is_usable;
   }
   if (!has_any) return;
-  for (glm::uvec3& corners : file.normal_corners) {
-    for (int i = 0; i < 3; ++i) {
-      if (corners[i] >= file.normals.size() || file.normals[corners[i]] == glm::vec3(0.0f)) corners[i] = kNoNormal;
-    }
-  }
+  leave_out_unusable(file.normal_corners, file.normals, kNoNormal,
+                     [](const glm::vec3& normal) { return normal != glm::vec3(0.0f); });
   mesh.normals = std::move(file.normals);
   mesh.normal_corners = std::move(file.normal_corners);
+}
+
+void take_uvs(FileMesh& file, Mesh& mesh) {
+  const auto is_finite = [](const glm::vec2& uv) { return std::isfinite(uv.x) && std::isfinite(uv.y); };
+  if (std::none_of(file.uvs.begin(), file.uvs.end(), is_finite)) return;
+  leave_out_unusable(file.uv_corners, file.uvs, kNoUv, is_finite);
+  mesh.uvs = std::move(file.uvs);
+  mesh.uv_corners = std::move(file.uv_corners);
 }
 
 }  // namespace
 
 MeshFile open_mesh_file(const std::string& path, const ReadOptions& options) {
+  if (options.uv_set && *options.uv_set < 0) {
+    throw std::invalid_argument(fmt::format("open_mesh_file: uv_set is {}, which is negative", *options.uv_set));
+  }
   try {
-    FileMesh file = read_by_extension(path);
+    FileMesh file = read_by_extension(path, options.uv_set);
     check_indices(file);
     if (file.triangles.empty()) throw std::runtime_error("there are no triangles in it");
     cut_polygons(file);
@@ -106,6 +126,8 @@ MeshFile open_mesh_file(const std::string& path, const ReadOptions& options) {
     for (const glm::dvec3& p : file.positions) result.mesh.positions.emplace_back(p + shift);
     result.mesh.triangles = std::move(file.triangles);
     take_normals(file, result.mesh);
+    take_uvs(file, result.mesh);
+    result.mesh.materials = std::move(file.materials);
     return result;
   } catch (const std::runtime_error& error) {
     throw std::runtime_error(path + ": " + error.what());

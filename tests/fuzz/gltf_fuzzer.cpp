@@ -32,6 +32,11 @@ std::string fault_of(const FileMesh& mesh) {
   if (!mesh.normal_corners.empty() && mesh.normal_corners.size() != mesh.triangles.size()) {
     return fmt::format("normals for {} of {} triangles", mesh.normal_corners.size(), mesh.triangles.size());
   }
+  if (mesh.uv_corners.size() != mesh.triangles.size() || mesh.materials.size() != mesh.triangles.size()) {
+    return fmt::format("texture coordinates for {}, materials for {} of {} triangles", mesh.uv_corners.size(),
+                       mesh.materials.size(), mesh.triangles.size());
+  }
+  if (!are_known(mesh.uv_corners, mesh.uvs.size(), kNone)) return "a corner names unknown texture coordinates";
   return mesh.contents.cut_out_count > mesh.triangles.size() ? "more cut-outs than triangles" : "";
 }
 
@@ -42,8 +47,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   std::string fault;
   try {
     // In a folder that does not exist: nothing is beside the file.
-    fault =
-        lkao::tests::fault_of(lkao::scene::read_gltf("/nowhere/a.gltf", {reinterpret_cast<const char*>(data), size}));
+    fault = lkao::tests::fault_of(
+        lkao::scene::read_gltf("/nowhere/a.gltf", {reinterpret_cast<const char*>(data), size}, 0));
   } catch (const std::runtime_error& error) {
     const std::string_view line = error.what();
     if (line.empty() || line.size() > 400 || line.find('\n') != line.npos) {

@@ -15,7 +15,7 @@ namespace {
 using nlohmann::json;
 using scene::GltfBuilder;
 
-// Nodes in a tree, one hidden; three instances; a strip beside a list.
+// Nodes in a tree, one hidden; three instances; a strip beside a fan with texture coordinates.
 GltfBuilder instanced_square() {
   GltfBuilder parts = scene::gltf_square({0, 1, 3, 2}, 5);
   const json node = {{"mesh", 0}, {"rotation", {0, 0, 1, 0}}, {"scale", {-1, 1, 2}}};
@@ -27,7 +27,14 @@ GltfBuilder instanced_square() {
   json second = parts.primitive();
   second["mode"] = 6;
   second["material"] = 0;
-  parts.document["materials"] = {{{"name", "a"}, {"alphaMode", "MASK"}}};
+  second["attributes"]["TEXCOORD_0"] = parts.add_values(std::vector<std::uint16_t>(8, 3), scene::kUint16, "VEC2", 2);
+  const json moved = {{"offset", {1, 2}}, {"rotation", 3}, {"scale", {4, 5}}};
+  parts.document["materials"] = {
+      {{"name", "a"},
+       {"alphaMode", "MASK"},
+       {"normalTexture", {{"index", 0}, {"extensions", {{"KHR_texture_transform", moved}}}}}}};
+  parts.document["textures"] = {{{"sampler", 0}}};
+  parts.document["samplers"] = {{{"wrapS", 33648}}};
   parts.document["meshes"][0]["primitives"].push_back(second);
   return parts;
 }

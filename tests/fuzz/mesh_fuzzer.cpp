@@ -21,13 +21,14 @@ FileMesh read(std::uint8_t format, std::string_view bytes) {
   switch (format % 4) {
     case 0:
       // The file is its own material library too.
-      return scene::read_obj(bytes, [&](const std::string&) { return std::string(bytes); });
+      return scene::read_obj(
+          bytes, [&](const std::string&) { return std::string(bytes); }, 0);
     case 1:
       return scene::read_stl(bytes);
     case 2:
-      return scene::read_ply(bytes);
+      return scene::read_ply(bytes, 0);
     default:
-      return scene::read_off(bytes);
+      return scene::read_off(bytes, 0);
   }
 }
 
@@ -41,7 +42,7 @@ bool has_known_vertices(const FileMesh& mesh) {
 std::size_t memory_of(const FileMesh& mesh) {
   const auto size_of = [](const auto& values) { return values.capacity() * sizeof(values[0]); };
   return size_of(mesh.positions) + size_of(mesh.triangles) + size_of(mesh.normals) + size_of(mesh.normal_corners) +
-         size_of(mesh.fans);
+         size_of(mesh.fans) + size_of(mesh.uvs) + size_of(mesh.uv_corners) + size_of(mesh.materials);
 }
 
 // Empty where nothing is wrong with the mesh.
@@ -50,6 +51,11 @@ std::string fault_of(FileMesh& mesh, std::size_t file_size) {
   if (memory_of(mesh) > memory_limit) return fmt::format("{} bytes of mesh from {}", memory_of(mesh), file_size);
   if (!mesh.normal_corners.empty() && mesh.normal_corners.size() != mesh.triangles.size()) {
     return fmt::format("normals for {} of {} triangles", mesh.normal_corners.size(), mesh.triangles.size());
+  }
+  for (const std::size_t count : {mesh.uv_corners.size(), mesh.materials.size()}) {
+    if (count != 0 && count != mesh.triangles.size()) {
+      return fmt::format("texture coordinates or materials for {} of {} triangles", count, mesh.triangles.size());
+    }
   }
   if (!has_known_vertices(mesh)) return "";
   const std::size_t triangle_count = mesh.triangles.size();

@@ -19,7 +19,8 @@ constexpr std::string_view whole(const char (&text)[kSize]) {
 constexpr std::string_view kFiles[] = {
     whole("\0mtllib a.mtl\nv 0 0 0\nv 3 0 0 1 0 0\nv 3 3 0\n v 2 1 .5\nv 0 3 0 # corner\nvt 0 0\nvn 0 0 1\nusemtl "
           "leaves\n"
-          "f 1/1/1 2/1/1 3 4//-1 5/1\nf -1 -2 \\\n-3\ns 1\ng a b\nl 1 2\nsurf 0 1\nf 9 8 7\nnewmtl leaves\nmap_d a\nd "
+          "f 1/1/1 2/1/1 3 4//-1 5/1\nf -1 -2 \\\n-3\ns 1\nvt 1 2 3\nvt 9\ng a b\nl 1 2\nsurf 0 1\nf 9 8 7\nnewmtl "
+          "leaves\nmap_d a\nd "
           ".5\n"),
     whole("\1solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 1 1e3 0\nvertex .2 .1 "
           "0\nendloop\n"
@@ -36,6 +37,11 @@ constexpr std::string_view kFiles[] = {
     whole("\2ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty uchar x\nproperty uchar y\nproperty "
           "uchar z\n"
           "element face 1\nproperty list uchar uchar vertex_index\nend_header\naaabbbacb\3\0\1\2"),
+    whole("\2ply\nformat ascii 1.0\ncomment TextureFile a\nelement vertex 3\nproperty float s\nproperty float t\n"
+          "property float x\nproperty float y\nproperty float z\nelement face 1\nproperty list uchar float texcoord\n"
+          "property int texnumber\nproperty list uchar int vertex_indices\nend_header\n0 1 0 0 0\n0 1 3 0 0\n"
+          "0 1 3 3 0\n6 0 1 2 3 4 5 0 3 0 1 2\n"),
+    whole("\3STOFF\n3 1 0\n0 0 0 1 1\n1 0 0 0 0\n1 1 0 0 0\n3 0 1 2\n"),
     whole("\3OFF # counts\n5 2 0\n0 0 0\n3 0 0\n3 3 0\n2 1 0\n0 3 0\n5 0 1 2 3 4 255 0 0\n3 0 1 2\n"),
     whole("\3COFF\n3 1 0\n0 0 0 1 1 1 1\n1 0 0 0 0 0 0\n1 1 0 0 0 0 0\n3 0 1 2\n"),
 };

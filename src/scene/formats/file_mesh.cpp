@@ -27,15 +27,17 @@ void replace(const FileMesh::Fan& fan, std::vector<glm::uvec3>& triangles, std::
 
 }  // namespace
 
-void FileMesh::add_polygon(std::span<const std::uint32_t> corners, std::span<const std::uint32_t> corner_normals) {
+void FileMesh::add_polygon(std::span<const std::uint32_t> corners, std::span<const std::uint32_t> corner_normals,
+                           std::span<const std::uint32_t> corner_uvs) {
   if (corners.size() > 3) fans.push_back({triangles.size(), corners.size()});
   add_fan(triangles, corners);
   add_fan(normal_corners, corner_normals);
+  add_fan(uv_corners, corner_uvs);
 }
 
 void cut_polygons(FileMesh& mesh) {
   PolygonCutter cutter;
-  std::vector<std::uint32_t> corners, corner_normals;
+  std::vector<std::uint32_t> corners, others;
   std::vector<glm::dvec3> positions;
   for (const FileMesh::Fan& fan : mesh.fans) {
     corners_of(fan, mesh.triangles, corners);
@@ -43,9 +45,11 @@ void cut_polygons(FileMesh& mesh) {
     for (const std::uint32_t corner : corners) positions.push_back(mesh.positions[corner]);
     const std::span<const glm::uvec3> cut = cutter.cut(positions);
     replace(fan, mesh.triangles, cut, corners);
-    if (mesh.normal_corners.empty()) continue;
-    corners_of(fan, mesh.normal_corners, corner_normals);
-    replace(fan, mesh.normal_corners, cut, corner_normals);
+    for (std::vector<glm::uvec3>* const of_corners : {&mesh.normal_corners, &mesh.uv_corners}) {
+      if (of_corners->empty()) continue;
+      corners_of(fan, *of_corners, others);
+      replace(fan, *of_corners, cut, others);
+    }
   }
   mesh.fans.clear();
 }

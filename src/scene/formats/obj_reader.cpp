@@ -28,7 +28,8 @@ namespace {
 // As they stand in the file: "7", "7/1", "7//2", "7/1/2".
 struct Corner {
   std::int64_t position = 0;
-  std::int64_t normal = 0;  // 0: none
+  std::int64_t uv = 0;  // 0: none
+  std::int64_t normal = 0;
 };
 
 // Takes a whole number off a word; 0 where there is none. One too large stays too large.
@@ -51,7 +52,7 @@ Corner parse_corner(std::string_view word) {
   corner.position = take_index(at, end);
   const bool has_position = at != word.data();
   if (take_slash()) {
-    take_index(at, end);
+    corner.uv = take_index(at, end);
     if (take_slash()) corner.normal = take_index(at, end);
   }
   if (!has_position || at != end) {
@@ -63,7 +64,8 @@ Corner parse_corner(std::string_view word) {
 class ObjReader {
  public:
   // Numbers of vertices above `vertex_limit` are refused at once.
-  ObjReader(std::string_view text, std::size_t vertex_limit) : words_(text), vertex_limit_(vertex_limit) {}
+  ObjReader(std::string_view text, std::size_t vertex_limit, std::optional<int> uv_set)
+      : words_(text), vertex_limit_(vertex_limit), wants_uvs_(uv_set == 0), wants_materials_(uv_set.has_value()) {}
 
   void read() {
     try {
@@ -72,6 +74,7 @@ class ObjReader {
       throw std::runtime_error(fmt::format("line {}: {}", words_.line_number(), error.what()));
     }
     if (!has_normals_) mesh_.normals.clear();
+    if (mesh_.contents.materials.empty()) mesh_.materials.clear();
     if (surface_count_ > 0) {
       mesh_.contents.remarks.push_back(fmt::format("{} free-form surfaces are left out", surface_count_));
     }
@@ -85,6 +88,11 @@ class ObjReader {
   FileMesh& mesh() { return mesh_; }
 
  private:
+  struct Material {
+    std::uint32_t number = 0;  // by first use
+    std::size_t triangle_count = 0;
+  };
+
   void read_line(std::string_view keyword) {
     if (keyword == "v") {
       read_vertex();
@@ -94,8 +102,9 @@ class ObjReader {
       read_normal();
     } else if (keyword == "vt") {
       mesh_.contents.uv_set_count = 1;
+      if (wants_uvs_) read_uv();
     } else if (keyword == "usemtl") {
-      material_triangles_ = &triangles_of_material_[words_.take_rest()];
+      use_material(words_.take_rest());
     } else if (keyword == "mtllib") {
       libraries_.push_back(words_.take_rest());
     } else if (keyword == "surf" || keyword == "bzp" || keyword == "bsp" || keyword == "cdp") {
@@ -113,6 +122,25 @@ class ObjReader {
     mesh_.positions.push_back(position);
   }
 
+  // One that cannot be read is none, but keeps its number. The second coordinate may be missing.
+  void read_uv() {
+    try {
+      const double u = words_.take_number();
+      mesh_.uvs.push_back(from_lower_left(u, words_.has_word() ? words_.take_number() : 0));
+    } catch (const std::runtime_error&) {
+      mesh_.uvs.emplace_back(std::numeric_limits<float>::quiet_NaN());
+    }
+  }
+
+  void use_material(std::string_view name) {
+    const auto [entry, is_new] = materials_.try_emplace(name);
+    if (is_new) {
+      entry->second.number = static_cast<std::uint32_t>(materials_.size() - 1);
+      if (wants_materials_) mesh_.contents.materials.push_back(printable(name));
+    }
+    material_ = &entry->second;
+  }
+
   // One that cannot be read is none, but keeps its number.
   void read_normal() {
     glm::dvec3 normal(0.0);
@@ -127,11 +155,13 @@ class ObjReader {
   void read_face() {
     polygon_.clear();
     polygon_normals_.clear();
+    polygon_uvs_.clear();
     bool has_normal = false;
     while (words_.has_word()) {
       const Corner corner = parse_corner(words_.take_word());
       polygon_.push_back(position_of(corner.position));
-      polygon_normals_.push_back(normal_of(corner.normal));
+      polygon_normals_.push_back(number_of(corner.normal, mesh_.normals.size(), kNoNormal));
+      if (wants_uvs_) polygon_uvs_.push_back(number_of(corner.uv, mesh_.uvs.size(), kNoUv));
       has_normal = has_normal || corner.normal != 0;
     }
     if (has_normal && !has_normals_) {
@@ -140,8 +170,11 @@ class ObjReader {
     }
     const std::size_t count_before = mesh_.triangles.size();
     const std::span<const std::uint32_t> normals(polygon_normals_);
-    mesh_.add_polygon(polygon_, has_normals_ ? normals : normals.first(0));
-    if (material_triangles_ != nullptr) *material_triangles_ += mesh_.triangles.size() - count_before;
+    mesh_.add_polygon(polygon_, has_normals_ ? normals : normals.first(0), polygon_uvs_);
+    if (material_ != nullptr) material_->triangle_count += mesh_.triangles.size() - count_before;
+    if (wants_materials_) {
+      mesh_.materials.resize(mesh_.triangles.size(), material_ != nullptr ? material_->number : kNoMaterial);
+    }
   }
 
   std::uint32_t position_of(std::int64_t number) {
@@ -159,21 +192,23 @@ class ObjReader {
   }
 
   // One that names nothing is none; those too large may still come and are looked at by the caller.
-  std::uint32_t normal_of(std::int64_t number) const {
-    const std::int64_t index = number > 0 ? number - 1 : static_cast<std::int64_t>(mesh_.normals.size()) + number;
-    return number != 0 && index >= 0 && index < kNoNormal ? static_cast<std::uint32_t>(index) : kNoNormal;
+  static std::uint32_t number_of(std::int64_t number, std::size_t count, std::uint32_t none) {
+    const std::int64_t index = number > 0 ? number - 1 : static_cast<std::int64_t>(count) + number;
+    return number != 0 && index >= 0 && index < none ? static_cast<std::uint32_t>(index) : none;
   }
 
   ObjWords words_;
   std::size_t vertex_limit_;
+  bool wants_uvs_;
+  bool wants_materials_;
   std::size_t largest_number_ = 0;
   FileMesh mesh_;
   bool has_normals_ = false;
   std::size_t surface_count_ = 0;
-  std::vector<std::uint32_t> polygon_, polygon_normals_;
+  std::vector<std::uint32_t> polygon_, polygon_normals_, polygon_uvs_;
   std::vector<std::string_view> libraries_;
-  std::unordered_map<std::string_view, std::size_t> triangles_of_material_;
-  std::size_t* material_triangles_ = nullptr;  // of the material that faces get now
+  std::unordered_map<std::string_view, Material> materials_;
+  Material* material_ = nullptr;  // that faces get now
 };
 
 // A library may be several files, or one with blanks in its name. A missing one is no fault: AO needs no materials.
@@ -185,10 +220,10 @@ void ObjReader::find_cut_outs(const ReadBeside& read_beside) {
     const std::optional<std::string> text = read_beside(std::string(name));
     if (!text) return false;
     for (std::string& material : see_through_materials(*text)) {
-      const auto used = triangles_of_material_.find(material);
-      if (used == triangles_of_material_.end()) continue;
-      cut_outs.push_back({std::move(material), used->second});
-      used->second = 0;
+      const auto used = materials_.find(material);
+      if (used == materials_.end()) continue;
+      cut_outs.push_back({std::move(material), used->second.triangle_count});
+      used->second.triangle_count = 0;
     }
     return true;
   };
@@ -201,15 +236,15 @@ void ObjReader::find_cut_outs(const ReadBeside& read_beside) {
 
 }  // namespace
 
-FileMesh read_obj(std::string_view bytes, const ReadBeside& read_beside) {
+FileMesh read_obj(std::string_view bytes, const ReadBeside& read_beside, std::optional<int> uv_set) {
   const std::string_view text = without_byte_order_mark(bytes);
   if (text.find('\0') != text.npos) throw std::runtime_error("malformed OBJ: it is not text");
   // The file has more bytes than vertices, and numbers of vertices must fit 32 bits.
-  ObjReader reader(text, std::min<std::size_t>(text.size(), std::numeric_limits<std::uint32_t>::max()));
+  ObjReader reader(text, std::min<std::size_t>(text.size(), std::numeric_limits<std::uint32_t>::max()), uv_set);
   reader.read();
   // Only a second look finds the line of a number that no vertex further down has.
   const std::size_t vertex_count = reader.mesh().positions.size();
-  if (reader.largest_number() > vertex_count) ObjReader(text, vertex_count).read();
+  if (reader.largest_number() > vertex_count) ObjReader(text, vertex_count, uv_set).read();
   reader.find_cut_outs(read_beside);
   return std::move(reader.mesh());
 }

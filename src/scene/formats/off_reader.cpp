@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -149,7 +150,17 @@ void read_vertex(Words& words, const Header& header, std::size_t vertex, std::ve
   }
 }
 
-void read_vertices(Words& words, const Header& header, FileMesh& mesh) {
+// The last two of a vertex' numbers; what stands in front of them on the line, colours, is of any number.
+glm::vec2 read_uv(Words& words) {
+  std::string_view last_but_one, last;
+  for (std::string_view word = words.next_of_line(); !word.empty(); word = words.next_of_line()) {
+    last_but_one = std::exchange(last, word);
+  }
+  if (last_but_one.empty()) return glm::vec2(std::numeric_limits<float>::quiet_NaN());
+  return from_lower_left(parse_number(last_but_one), parse_number(last));
+}
+
+void read_vertices(Words& words, const Header& header, bool wants_uvs, FileMesh& mesh) {
   // A position takes six bytes at least, blanks included.
   mesh.positions.reserve(std::min(header.vertex_count, words.bytes_left() / 6));
   // Where vertices have lines of their own, colours may be of any number or missing.
@@ -158,6 +169,9 @@ void read_vertices(Words& words, const Header& header, FileMesh& mesh) {
   std::vector<double> numbers(have_lines ? coordinate_count + (header.has_normals ? 3 : 0) : header.numbers_per_vertex);
   for (std::size_t i = 0; i < header.vertex_count; ++i) {
     read_vertex(words, header, i, numbers);
+    if (wants_uvs) {
+      mesh.uvs.push_back(have_lines ? read_uv(words) : from_lower_left(numbers.end()[-2], numbers.back()));
+    }
     if (have_lines) words.end_line();
     const glm::dvec3 position(numbers[0], numbers[1], numbers[2]);
     mesh.positions.push_back(header.is_homogeneous ? position / numbers[3] : position);
@@ -192,14 +206,16 @@ void read_face(Words& words, const Header& header, std::size_t face, FileMesh& m
 }  // namespace
 }  // namespace off
 
-FileMesh read_off(std::string_view bytes) {
+FileMesh read_off(std::string_view bytes, std::optional<int> uv_set) {
   off::Words words(without_byte_order_mark(bytes));
   const off::Header header = off::read_header(words);
   FileMesh mesh;
-  off::read_vertices(words, header, mesh);
+  const bool wants_uvs = header.has_texture_coordinates && uv_set == 0;
+  off::read_vertices(words, header, wants_uvs, mesh);
   std::vector<std::uint32_t> corners;
   for (std::size_t i = 0; i < header.face_count; ++i) off::read_face(words, header, i, mesh, corners);
   if (header.has_normals) mesh.normal_corners = mesh.triangles;
+  if (wants_uvs) mesh.uv_corners = mesh.triangles;
   if (header.has_texture_coordinates) mesh.contents.uv_set_count = 1;
   return mesh;
 }

@@ -64,15 +64,20 @@ Property parse_property(std::string_view line) {
 }
 
 // Other comments may begin with that word too.
-void parse_comment(std::string_view line, glm::dvec3& origin) {
-  if (take_word(line) != "origin") return;
+void parse_comment(std::string_view line, Header& header) {
+  const std::string_view keyword = take_word(line);
+  if (keyword == "TextureFile") {
+    skip_blanks(line);
+    header.textures.push_back(printable(line));
+  }
+  if (keyword != "origin") return;
   glm::dvec3 point;
   try {
     for (int axis = 0; axis < 3; ++axis) point[axis] = parse_number(take_word(line));
   } catch (const std::runtime_error&) {
     return;
   }
-  if (take_word(line).empty()) origin = point;
+  if (take_word(line).empty()) header.origin = point;
 }
 
 // Lines may end in any way, each in its own. But behind a header whose lines end in CR alone, an LF is binary data.
@@ -135,7 +140,7 @@ Header parse_header(std::string_view bytes) {
       if (header.elements.empty()) throw std::runtime_error("malformed PLY header: a property before any element");
       header.elements.back().properties.push_back(parse_property(line));
     } else if (keyword == "comment") {
-      parse_comment(line, header.origin);
+      parse_comment(line, header);
     }
   }
   if (!has_format) throw std::runtime_error("malformed PLY header: the format line is missing");

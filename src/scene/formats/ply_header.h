@@ -34,8 +34,9 @@ enum class Encoding { ascii, little_endian, big_endian };
 struct Header {
   Encoding encoding = Encoding::ascii;
   std::vector<Element> elements;
-  glm::dvec3 origin{0};   // to be added to all positions: "comment origin X Y Z", as write_ply makes it
-  std::string_view data;  // behind the header
+  glm::dvec3 origin{0};               // to be added to all positions: "comment origin X Y Z", as write_ply makes it
+  std::vector<std::string> textures;  // names of files: "comment TextureFile NAME", as MeshLab makes it
+  std::string_view data;              // behind the header
 };
 
 // Throws std::runtime_error with the fault.

@@ -4,7 +4,9 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -12,6 +14,7 @@
 #include "scene/formats/ply_header.h"
 #include "scene/formats/ply_values.h"
 #include "scene/formats/readers.h"
+#include "scene/mesh.h"
 
 namespace lkao::scene {
 
@@ -26,13 +29,27 @@ std::uint32_t to_index(double value, const Element& element, std::size_t record)
 }
 
 // Where a property's value goes: one of a few places for what is wanted, and one for all that is not.
-enum Place : std::size_t { kX, kY, kZ, kNormalX, kNormalY, kNormalZ, kUnwanted, kPlaceCount };
+enum Place : std::size_t { kX, kY, kZ, kNormalX, kNormalY, kNormalZ, kU, kV, kUnwanted, kPlaceCount };
+
+// What programs call the texture coordinates of a vertex.
+constexpr std::pair<const char*, const char*> kUvNames[] = {
+    {"s", "t"}, {"u", "v"}, {"texture_u", "texture_v"}, {"texture_s", "texture_t"}};
+
+const std::pair<const char*, const char*>* uv_names_of(const Element& vertex) {
+  const auto has_both = [&](const auto& names) { return vertex.has(names.first) && vertex.has(names.second); };
+  const auto* const names = std::find_if(std::begin(kUvNames), std::end(kUvNames), has_both);
+  return names == std::end(kUvNames) ? nullptr : names;
+}
 
 std::vector<Place> places_of(const Element& vertex) {
   std::vector<Place> places(vertex.properties.size(), kUnwanted);
   constexpr std::string_view kNames[] = {"x", "y", "z", "nx", "ny", "nz"};
   for (std::size_t i = 0; i < std::size(kNames); ++i) {
     if (vertex.has(kNames[i])) places[vertex.index_of(kNames[i])] = static_cast<Place>(i);
+  }
+  if (const auto* const names = uv_names_of(vertex)) {
+    places[vertex.index_of(names->first)] = kU;
+    places[vertex.index_of(names->second)] = kV;
   }
   return places;
 }
@@ -49,7 +66,11 @@ bool has_texture_coordinates(const Element& element) {
 template <class Values>
 class ElementReader {
  public:
-  explicit ElementReader(Values values) : values_(values) {}
+  ElementReader(Values values, const Header& header, std::optional<int> uv_set)
+      : values_(values), wants_uvs_(uv_set == 0), material_count_(uv_set ? header.textures.size() : 0) {
+    mesh_.origin = header.origin;
+    if (uv_set) mesh_.contents.materials = header.textures;
+  }
 
   void read(const Element& element) {
     if (element.properties.empty()) return;
@@ -62,6 +83,13 @@ class ElementReader {
 
   FileMesh finish() && {
     if (!mesh_.normals.empty()) mesh_.normal_corners = mesh_.triangles;
+    if (has_corner_uvs_) {
+      mesh_.uvs = std::move(corner_uvs_);
+      mesh_.uv_corners.resize(mesh_.triangles.size(), glm::uvec3(kNoUv));
+    } else if (!mesh_.uvs.empty()) {
+      mesh_.uv_corners = mesh_.triangles;
+    }
+    if (!mesh_.materials.empty()) mesh_.materials.resize(mesh_.triangles.size(), kNoMaterial);
     return std::move(mesh_);
   }
 
@@ -81,6 +109,7 @@ class ElementReader {
 
   void read_vertices(const Element& element) {
     const std::vector<Place> places = places_of(element);
+    const bool has_uvs = wants_uvs_ && uv_names_of(element) != nullptr;
     const bool has_normals = element.has("nx") && element.has("ny") && element.has("nz");
     note_texture_coordinates(element);
     // A damaged count must not reserve more than the data can hold; a vertex takes three bytes at least.
@@ -96,6 +125,7 @@ class ElementReader {
       }
       mesh_.positions.emplace_back(taken[kX], taken[kY], taken[kZ]);
       if (has_normals) mesh_.normals.emplace_back(taken[kNormalX], taken[kNormalY], taken[kNormalZ]);
+      if (has_uvs) mesh_.uvs.push_back(from_lower_left(taken[kU], taken[kV]));
     });
   }
 
@@ -105,22 +135,62 @@ class ElementReader {
     // Four numbers a triangle, of a byte each.
     mesh_.triangles.reserve(mesh_.triangles.size() + std::min(element.count, values_.bytes_left() / 4));
     for_each_record(element, [&](std::size_t record) {
+      corners_.clear();
+      numbers_.clear();
+      material_ = material_count_ > 0 ? 0 : kNoMaterial;  // a texture alone needs no numbers
       for (const Property& property : element.properties) {
-        if (!property.is_list || (property.name != "vertex_indices" && property.name != "vertex_index")) {
-          skip(property);
-        } else if (are_strips) {
-          read_strip(element, property, record);
+        if (property.is_list && (property.name == "vertex_indices" || property.name == "vertex_index")) {
+          if (are_strips) {
+            read_strip(element, property, record);
+          } else {
+            read_corners(element, property, record);
+          }
+        } else if (property.is_list && property.name == "texcoord" && wants_uvs_) {
+          read_corner_uvs(property);
+        } else if (!property.is_list && property.name == "texnumber" && material_count_ > 0) {
+          read_material(property);
         } else {
-          read_face(element, property, record);
+          skip(property);
         }
       }
+      if (!are_strips) add_face();
     });
   }
 
-  void read_face(const Element& element, const Property& property, std::size_t record) {
+  void read_corners(const Element& element, const Property& property, std::size_t record) {
     corners_.resize(read_count(property));
     for (std::uint32_t& corner : corners_) corner = to_index(values_.read(property.type), element, record);
-    mesh_.add_polygon(corners_);
+  }
+
+  void read_material(const Property& property) {
+    const double number = values_.read(property.type);
+    const bool is_known = number >= 0 && number < static_cast<double>(material_count_);
+    material_ = is_known ? static_cast<std::uint32_t>(number) : kNoMaterial;
+  }
+
+  // Two numbers a corner, as MeshLab has them.
+  void read_corner_uvs(const Property& property) {
+    has_corner_uvs_ = true;
+    numbers_.resize(read_count(property));
+    for (double& number : numbers_) number = values_.read(property.type);
+  }
+
+  void add_face() {
+    const std::size_t first_triangle = mesh_.triangles.size();
+    polygon_uvs_.clear();
+    if (has_corner_uvs_) {
+      mesh_.uv_corners.resize(first_triangle, glm::uvec3(kNoUv));
+      const bool has_all = numbers_.size() == 2 * corners_.size();
+      for (std::size_t i = 0; i < corners_.size(); ++i) {
+        polygon_uvs_.push_back(has_all ? static_cast<std::uint32_t>(corner_uvs_.size()) : kNoUv);
+        if (has_all) corner_uvs_.push_back(from_lower_left(numbers_[2 * i], numbers_[2 * i + 1]));
+      }
+    }
+    mesh_.add_polygon(corners_, {}, polygon_uvs_);
+    if (material_count_ > 0) {
+      mesh_.materials.resize(first_triangle, kNoMaterial);
+      mesh_.materials.resize(mesh_.triangles.size(), material_);
+    }
   }
 
   // A strip turns the order of corners around at every step; -1 begins a new strip.
@@ -157,35 +227,40 @@ class ElementReader {
   }
 
   Values values_;
+  bool wants_uvs_;
+  std::size_t material_count_;
   FileMesh mesh_;
-  std::vector<std::uint32_t> corners_;
+  bool has_corner_uvs_ = false;
+  std::vector<glm::vec2> corner_uvs_;  // of faces; they go before those of vertices
+  // Of the face that is read:
+  std::vector<std::uint32_t> corners_, polygon_uvs_;
+  std::vector<double> numbers_;  // its texture coordinates
+  std::uint32_t material_ = kNoMaterial;
 };
 
 template <class Values>
-FileMesh read_elements(const Header& header, Values values) {
-  ElementReader<Values> reader(values);
+FileMesh read_elements(const Header& header, Values values, std::optional<int> uv_set) {
+  ElementReader<Values> reader(values, header, uv_set);
   for (const Element& element : header.elements) reader.read(element);
-  FileMesh mesh = std::move(reader).finish();
-  mesh.origin = header.origin;
-  return mesh;
+  return std::move(reader).finish();
 }
 
 }  // namespace
 }  // namespace ply
 
-FileMesh read_ply(std::string_view bytes) {
+FileMesh read_ply(std::string_view bytes, std::optional<int> uv_set) {
   const ply::Header header = ply::parse_header(bytes);
   if (header.encoding == ply::Encoding::ascii) {
     std::size_t record_count = 0;
     for (const ply::Element& element : header.elements) {
       if (!element.properties.empty()) record_count += element.count;
     }
-    return ply::read_elements(header, ply::TextValues(header.data, record_count));
+    return ply::read_elements(header, ply::TextValues(header.data, record_count), uv_set);
   }
   constexpr bool kNativeIsLittle = std::endian::native == std::endian::little;
   const bool is_native = (header.encoding == ply::Encoding::little_endian) == kNativeIsLittle;
-  return is_native ? ply::read_elements(header, ply::BinaryValues<false>(header.data))
-                   : ply::read_elements(header, ply::BinaryValues<true>(header.data));
+  return is_native ? ply::read_elements(header, ply::BinaryValues<false>(header.data), uv_set)
+                   : ply::read_elements(header, ply::BinaryValues<true>(header.data), uv_set);
 }
 
 }  // namespace lkao::scene

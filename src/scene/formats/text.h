@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 #include <string_view>
 
 namespace lkao::scene {
@@ -27,5 +28,12 @@ std::string_view take_word(std::string_view& text);
 double parse_number(std::string_view word);
 
 bool equal_but_for_case(std::string_view a, std::string_view b);
+
+// The first characters of a text (UTF-8) of at most so many bytes, and dots where it has more.
+std::string shortened(std::string_view text, std::size_t most);
+
+// Words of a file, made fit for a message: short, without control characters.
+std::string printable(std::string_view text);
+std::string in_quotes(std::string_view text);  // that, in quotation marks
 
 }  // namespace lkao::scene

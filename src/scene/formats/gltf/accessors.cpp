@@ -8,6 +8,8 @@
 #include <fmt/format.h>
 #include <glm/gtc/type_ptr.hpp>
 
+#include "scene/formats/text.h"
+
 namespace lkao::scene::gltf {
 
 namespace {
@@ -15,6 +17,7 @@ namespace {
 // Columns of matrices begin at multiples of four bytes; those of MAT4 always do.
 std::size_t width_of(std::string_view shape) {
   if (shape == "SCALAR") return 1;
+  if (shape == "VEC2") return 2;
   return shape == "VEC3" ? 3 : shape == "VEC4" ? 4 : 16;
 }
 
@@ -71,6 +74,7 @@ std::vector<Element> Accessor::read() const {
   return elements;
 }
 
+std::vector<glm::dvec2> Accessor::vec2s() const { return read<glm::dvec2>(); }
 std::vector<glm::dvec3> Accessor::vec3s() const { return read<glm::dvec3>(); }
 std::vector<glm::dvec4> Accessor::vec4s() const { return read<glm::dvec4>(); }
 std::vector<glm::dmat4> Accessor::mat4s() const { return read<glm::dmat4>(); }
@@ -107,6 +111,10 @@ Accessor Accessors::open(const Value& index, const char* shape, std::optional<st
                                          accessor.count_, buffers_->byte_count()));
   }
   return accessor;
+}
+
+bool Accessors::has_plain_integers(const Value& index) const {
+  return component_type(item_of_list(root_, "accessors", index)) != ComponentType::float32 && !is_normalized(index);
 }
 
 bool Accessors::is_normalized(const Value& index) const {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
@@ -22,7 +23,8 @@ class Accessor {
  public:
   std::size_t count() const { return count_; }
 
-  // The accessor must have been opened as "VEC3", "VEC4", "MAT4" or "SCALAR".
+  // The accessor must have been opened as "VEC2", "VEC3", "VEC4", "MAT4" or "SCALAR".
+  std::vector<glm::dvec2> vec2s() const;
   std::vector<glm::dvec3> vec3s() const;
   std::vector<glm::dvec4> vec4s() const;
   std::vector<glm::dmat4> mat4s() const;
@@ -59,6 +61,8 @@ class Accessors {
   // Throws std::runtime_error with the fault.
   Accessor open(const Value& index, const char* shape, std::optional<std::size_t> count = {});
 
+  // Whether the accessor that `index` names has integers that stand for themselves, wherever they are.
+  bool has_plain_integers(const Value& index) const;
   // What the accessor that `index` names says of its integers, wherever they are.
   bool is_normalized(const Value& index) const;
 

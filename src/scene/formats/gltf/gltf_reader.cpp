@@ -4,41 +4,24 @@
 #include <new>
 #include <stdexcept>
 
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "scene/formats/gltf/container.h"
+#include "scene/formats/gltf/parse.h"
 #include "scene/formats/gltf/requirements.h"
 #include "scene/formats/gltf/scene_reader.h"
 #include "scene/formats/readers.h"
 
 namespace lkao::scene {
 
-namespace {
-
-// nlohmann's parser and destructor do not recurse; its copies, comparisons and dump() do.
-nlohmann::json parse(std::string_view text) {
-  constexpr std::size_t kLongest = 200;  // the message quotes what could not be read
-  try {
-    return nlohmann::json::parse(text);
-  } catch (const nlohmann::json::exception& error) {
-    // "[json.exception.parse_error.101] parse error at line 1 ...": the part in brackets helps nobody.
-    const std::string_view what = error.what();
-    throw std::runtime_error("truncated or malformed glTF: " +
-                             gltf::shortened(what.substr(what.find(']') + 2), kLongest));
-  }
-}
-
-}  // namespace
-
-FileMesh read_gltf(const std::string& path, std::string_view bytes) {
+FileMesh read_gltf(const std::string& path, std::string_view bytes, std::optional<int> uv_set) {
   try {
     const gltf::Container container = gltf::open_container(bytes);
-    const nlohmann::json document = parse(container.json);
+    const nlohmann::json document = gltf::parse(container.json);
     const gltf::Value root(document, "");
     gltf::check_requirements(root);
     gltf::Buffers buffers(root, container.binary, path, bytes.size());
-    return gltf::SceneReader(root, buffers).read();
+    return gltf::SceneReader(root, buffers, uv_set).read();
   } catch (const std::bad_alloc&) {
     throw std::runtime_error("there is not enough memory for what it shows");
   }

@@ -64,6 +64,12 @@ bool Primitive::read_packed(const char* attribute, std::vector<Vector>& values) 
   return true;
 }
 
+std::vector<glm::dvec2> Primitive::vec2s(const char* attribute) const {
+  std::vector<glm::dvec2> values;
+  if (read_packed(attribute, values)) return values;
+  return accessors_->open(attributes_.at(attribute), "VEC2", vertex_count_).vec2s();
+}
+
 std::vector<glm::dvec3> Primitive::vec3s(const char* attribute) const {
   std::vector<glm::dvec3> values;
   if (read_packed(attribute, values)) return values;
@@ -74,6 +80,10 @@ std::vector<glm::dvec4> Primitive::vec4s(const char* attribute) const {
   std::vector<glm::dvec4> values;
   if (read_packed(attribute, values)) return values;
   return accessors_->open(attributes_.at(attribute), "VEC4", vertex_count_).vec4s();
+}
+
+bool Primitive::has_plain_integers(const char* attribute) const {
+  return accessors_->has_plain_integers(attributes_.at(attribute));
 }
 
 std::size_t Primitive::accessor_number(const char* attribute, std::size_t none) const {

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
@@ -29,9 +30,12 @@ class Primitive {
 
   std::vector<glm::uvec3> triangles() const;
   // An attribute that it has, one value a vertex.
+  std::vector<glm::dvec2> vec2s(const char* attribute) const;
   std::vector<glm::dvec3> vec3s(const char* attribute) const;
   std::vector<glm::dvec4> vec4s(const char* attribute) const;
 
+  // Whether an attribute that it has is of integers that stand for themselves.
+  bool has_plain_integers(const char* attribute) const;
   // The number of an attribute's accessor: what has the same has the same values. `none` where it has no such.
   std::size_t accessor_number(const char* attribute, std::size_t none) const;
   // Texture coordinates that a vertex has.

@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "scene/formats/text.h"
+
 namespace lkao::scene::gltf {
 
 namespace {

@@ -10,12 +10,17 @@
 #include "scene/formats/gltf/instances.h"
 #include "scene/formats/gltf/skin.h"
 #include "scene/formats/gltf/transform.h"
+#include "scene/formats/text.h"
 #include "scene/mesh.h"
 
 namespace lkao::scene::gltf {
 
-SceneReader::SceneReader(const Value& root, Buffers& buffers)
-    : root_(root), accessors_(root, buffers), nodes_(root), shapes_(accessors_, buffers) {}
+SceneReader::SceneReader(const Value& root, Buffers& buffers, std::optional<int> uv_set)
+    : root_(root),
+      uv_set_(uv_set),
+      accessors_(root, buffers),
+      nodes_(root),
+      shapes_(root, accessors_, buffers, uv_set) {}
 
 FileMesh SceneReader::read() && {
   find_showings();
@@ -23,6 +28,7 @@ FileMesh SceneReader::read() && {
   reserve();
   for (const Showing& showing : showings_) show(showing);
   if (mesh_.normals.empty()) mesh_.normal_corners.clear();
+  if (uv_set_) describe_materials();
   mesh_.contents.hidden_count = nodes_.hidden_count();
   std::vector<CutOut> cut_outs;
   for (const auto& [material, cut_out] : cut_outs_) cut_outs.push_back(cut_out);
@@ -67,6 +73,9 @@ void SceneReader::reserve() {
   mesh_.positions.reserve(static_cast<std::size_t>(vertex_count));
   mesh_.triangles.reserve(static_cast<std::size_t>(triangle_count));
   mesh_.normal_corners.reserve(static_cast<std::size_t>(triangle_count));
+  if (!uv_set_) return;
+  mesh_.uv_corners.reserve(static_cast<std::size_t>(triangle_count));
+  mesh_.materials.reserve(static_cast<std::size_t>(triangle_count));
 }
 
 void SceneReader::show(const Showing& showing) {
@@ -83,29 +92,49 @@ void SceneReader::add(const Showing& showing, const Shape& shape) {
   const std::optional<Value> index = nodes_.node(showing.node).find("skin");
   std::optional<Skin> skin;
   if (index) skin.emplace(root_, item_of_list(root_, "skins", *index), nodes_, accessors_);
-  for (const glm::dmat4& instance : showing.instances) {
-    const Transform transform(nodes_.to_world(showing.node) * instance);
-    add_instance(shape, [&](const Vertices& vertices, std::size_t i) {
+  const std::vector<std::uint32_t> first_uvs = add_uvs(shape);
+  for (std::size_t i = 0; i < showing.instances.size(); ++i) {
+    const Transform transform(nodes_.to_world(showing.node) * showing.instances[i]);
+    const VertexBlock source{.node = showing.node, .instance = i, .mesh = showing.mesh};
+    add_instance(shape, first_uvs, source, [&](const Vertices& vertices, std::size_t k) {
       // The joints alone place a skinned mesh, wherever its own node is.
-      return skin && !vertices.influences.empty() ? Transform(skin->matrix_of(vertices, i)) : transform;
+      return skin && !vertices.influences.empty() ? Transform(skin->matrix_of(vertices, k)) : transform;
     });
   }
 }
 
-// transform_of(vertices, i): what moves a vertex into the world.
+// All instances have the same. Returns where each list of the shape begins.
+std::vector<std::uint32_t> SceneReader::add_uvs(const Shape& shape) {
+  std::vector<std::uint32_t> firsts;
+  firsts.reserve(shape.uvs.size());
+  for (const std::vector<glm::vec2>& uvs : shape.uvs) {
+    firsts.push_back(static_cast<std::uint32_t>(mesh_.uvs.size()));
+    mesh_.uvs.insert(mesh_.uvs.end(), uvs.begin(), uvs.end());
+  }
+  return firsts;
+}
+
+// transform_of(vertices, k): what moves a vertex into the world.
 template <typename TransformOf>
-void SceneReader::add_instance(const Shape& shape, const TransformOf& transform_of) {
+void SceneReader::add_instance(const Shape& shape, std::span<const std::uint32_t> first_uvs, VertexBlock source,
+                               const TransformOf& transform_of) {
   std::vector<Block> blocks;
-  for (const Vertices& vertices : shape.vertices) blocks.push_back(add_vertices(vertices, transform_of));
+  for (const Vertices& vertices : shape.vertices) blocks.push_back(add_vertices(vertices, source, transform_of));
   for (const Part& part : shape.parts) {
     add_triangles(part, blocks[part.vertices]);
+    if (uv_set_) add_corner_uvs(shape, part, first_uvs, blocks[part.vertices]);
     count_cut_outs(part);
     mesh_.contents.uv_set_count = std::max(mesh_.contents.uv_set_count, part.uv_set_count);
   }
 }
 
 template <typename TransformOf>
-SceneReader::Block SceneReader::add_vertices(const Vertices& vertices, const TransformOf& transform_of) {
+SceneReader::Block SceneReader::add_vertices(const Vertices& vertices, VertexBlock source,
+                                             const TransformOf& transform_of) {
+  source.first_vertex = mesh_.positions.size();
+  source.vertex_count = vertices.positions.size();
+  source.primitives = vertices.primitives;
+  mesh_.contents.vertex_blocks.push_back(std::move(source));
   Block block{static_cast<std::uint32_t>(mesh_.positions.size()), kNoNormal, {}};
   if (!vertices.normals.empty()) block.first_normal = static_cast<std::uint32_t>(mesh_.normals.size());
   for (std::size_t i = 0; i < vertices.positions.size(); ++i) {
@@ -124,6 +153,42 @@ void SceneReader::add_triangles(const Part& part, const Block& block) {
     if (block.is_mirrored[corners.x]) std::swap(corners.y, corners.z);
     mesh_.triangles.push_back(corners + block.first);
     mesh_.normal_corners.push_back(has_normals ? corners + block.first_normal : glm::uvec3(kNoNormal));
+  }
+}
+
+void SceneReader::add_corner_uvs(const Shape& shape, const Part& part, std::span<const std::uint32_t> first_uvs,
+                                 const Block& block) {
+  const std::size_t material_count = size_of_list(root_, "materials");
+  const bool is_known = part.material && *part.material < material_count;
+  mesh_.materials.resize(mesh_.triangles.size(), is_known ? static_cast<std::uint32_t>(*part.material) : kNoMaterial);
+  if (!part.uvs) {
+    mesh_.uv_corners.resize(mesh_.triangles.size(), glm::uvec3(kNoUv));
+    return;
+  }
+  for (glm::uvec3 corners : part.triangles) {
+    if (block.is_mirrored[corners.x]) std::swap(corners.y, corners.z);
+    if (!part.uvs->transform) {
+      mesh_.uv_corners.push_back(corners + first_uvs[part.uvs->list]);
+      continue;
+    }
+    // Each corner has its own: lists of vertices may be shared by any number of materials.
+    const auto first = static_cast<std::uint32_t>(mesh_.uvs.size());
+    for (int i = 0; i < 3; ++i) {
+      mesh_.uvs.emplace_back((*part.uvs->transform)(shape.uvs[part.uvs->list][corners[i]]));
+    }
+    mesh_.uv_corners.emplace_back(first, first + 1, first + 2);
+  }
+}
+
+void SceneReader::describe_materials() {
+  const std::size_t count = size_of_list(root_, "materials");
+  mesh_.contents.materials.reserve(count);
+  mesh_.contents.wraps.reserve(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const Value material = root_.at("materials").element(i);
+    const std::optional<Value> name = material.find("name");
+    mesh_.contents.materials.push_back(name ? printable(name->text()) : "");
+    mesh_.contents.wraps.push_back(wraps_of(root_, material, static_cast<std::size_t>(*uv_set_)));
   }
 }
 

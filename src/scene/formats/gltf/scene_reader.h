@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include <glm/mat4x4.hpp>
@@ -19,7 +20,8 @@ namespace lkao::scene::gltf {
 
 class SceneReader {
  public:
-  SceneReader(const Value& root, Buffers& buffers);
+  // uv_set: the number of the texture coordinates to read, with materials; neither where it is nothing.
+  SceneReader(const Value& root, Buffers& buffers, std::optional<int> uv_set);
 
   // Throws std::runtime_error with the fault, std::bad_alloc where the memory is not enough.
   FileMesh read() &&;
@@ -51,14 +53,20 @@ class SceneReader {
   void reserve();
   void show(const Showing& showing);
   void add(const Showing& showing, const Shape& shape);
+  std::vector<std::uint32_t> add_uvs(const Shape& shape);
   template <typename TransformOf>
-  void add_instance(const Shape& shape, const TransformOf& transform_of);
+  void add_instance(const Shape& shape, std::span<const std::uint32_t> first_uvs, VertexBlock source,
+                    const TransformOf& transform_of);
   template <typename TransformOf>
-  Block add_vertices(const Vertices& vertices, const TransformOf& transform_of);
+  Block add_vertices(const Vertices& vertices, VertexBlock source, const TransformOf& transform_of);
   void add_triangles(const Part& part, const Block& block);
+  void add_corner_uvs(const Shape& shape, const Part& part, std::span<const std::uint32_t> first_uvs,
+                      const Block& block);
+  void describe_materials();
   void count_cut_outs(const Part& part);
 
   Value root_;
+  std::optional<int> uv_set_;
   Accessors accessors_;
   Nodes nodes_;
   ShapeReader shapes_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <string>
 
 #include <fmt/format.h>
 
@@ -74,6 +75,43 @@ Vertices read_vertices(const Primitive& primitive, const Weights& weights, bool 
   return vertices;
 }
 
+// Texture coordinates of a mesh's primitives, those of the same accessor once.
+class UvReader {
+ public:
+  UvReader(const Value& root, std::optional<int> set, Shape& shape)
+      : root_(root), set_(set), name_(fmt::format("TEXCOORD_{}", set.value_or(0))), shape_(shape) {}
+
+  std::optional<PartUvs> read(const Primitive& primitive) {
+    if (!set_ || !primitive.has(name_.c_str())) return std::nullopt;
+    const std::size_t next = shape_.uvs.size();
+    const std::size_t key = primitive.accessor_number(name_.c_str(), next);
+    const std::size_t list = primitive.is_packed() ? next : known_.try_emplace(key, next).first->second;
+    if (list == next) {
+      const std::vector<glm::dvec2> uvs = primitive.vec2s(name_.c_str());
+      shape_.uvs.emplace_back(uvs.begin(), uvs.end());
+    } else if (shape_.uvs[list].size() != primitive.vertex_count()) {
+      primitive.vec2s(name_.c_str());  // says what is wrong
+    }
+    return PartUvs{list, transform_of(primitive)};
+  }
+
+ private:
+  std::optional<UvTransform> transform_of(const Primitive& primitive) const {
+    const std::optional<Value> index = primitive.json().find("material");
+    if (!index || index->count() >= size_of_list(root_, "materials")) return std::nullopt;
+    const std::optional<Value> transform =
+        occlusion_transform(item_of_list(root_, "materials", *index), static_cast<std::size_t>(*set_),
+                            primitive.has_plain_integers(name_.c_str()));
+    return transform ? std::optional(UvTransform(*transform)) : std::nullopt;
+  }
+
+  Value root_;
+  std::optional<int> set_;
+  std::string name_;
+  Shape& shape_;
+  std::map<std::size_t, std::size_t> known_;  // lists by accessor
+};
+
 }  // namespace
 
 std::size_t Shape::vertex_count() const {
@@ -93,6 +131,7 @@ Shape ShapeReader::read(const Value& mesh, const std::optional<Value>& weights, 
   const Value primitives = mesh.at("primitives");
   Shape shape;
   std::map<std::vector<std::size_t>, std::size_t> known;
+  UvReader uvs(root_, uv_set_, shape);
   for (std::size_t i = 0; i < primitives.size(); ++i) {
     const std::optional<Primitive> primitive = Primitive::open(primitives.element(i), *accessors_, *buffers_);
     if (!primitive) continue;
@@ -103,9 +142,10 @@ Shape ShapeReader::read(const Value& mesh, const std::optional<Value>& weights, 
     if (vertices == shape.vertices.size()) {
       shape.vertices.push_back(read_vertices(*primitive, target_weights, is_skinned, *accessors_));
     }
+    shape.vertices[vertices].primitives.push_back(static_cast<std::uint32_t>(i));
     const std::optional<Value> material = primitive->json().find("material");
     shape.parts.push_back({vertices, std::move(triangles), material ? std::optional(material->count()) : std::nullopt,
-                           primitive->uv_set_count()});
+                           primitive->uv_set_count(), uvs.read(*primitive)});
   }
   return shape;
 }

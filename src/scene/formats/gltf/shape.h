@@ -2,13 +2,16 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
 #include "scene/formats/gltf/accessors.h"
+#include "scene/formats/gltf/textures.h"
 
 namespace lkao::scene::gltf {
 
@@ -20,8 +23,15 @@ struct Influences {
 
 struct Vertices {
   std::vector<glm::dvec3> positions;
-  std::vector<glm::dvec3> normals;     // as many, or none
-  std::vector<Influences> influences;  // JOINTS_0, JOINTS_1, ...
+  std::vector<glm::dvec3> normals;        // as many, or none
+  std::vector<Influences> influences;     // JOINTS_0, JOINTS_1, ...
+  std::vector<std::uint32_t> primitives;  // whose vertices they are, by number in the mesh
+};
+
+// The texture coordinates of a primitive: a list in Shape::uvs, and what its material does to them.
+struct PartUvs {
+  std::size_t list;
+  std::optional<UvTransform> transform;
 };
 
 // The triangles of a primitive.
@@ -30,11 +40,13 @@ struct Part {
   std::vector<glm::uvec3> triangles;
   std::optional<std::size_t> material;
   std::size_t uv_set_count;
+  std::optional<PartUvs> uvs = {};  // where they were asked for, and it has them
 };
 
 struct Shape {
-  std::vector<Vertices> vertices;  // those of primitives with the same accessors once
-  std::vector<Part> parts;         // without those that have no triangles
+  std::vector<Vertices> vertices;           // those of primitives with the same accessors once
+  std::vector<Part> parts;                  // without those that have no triangles
+  std::vector<std::vector<glm::vec2>> uvs;  // of vertices; those of primitives with the same accessors once
 
   std::size_t vertex_count() const;
   std::size_t triangle_count() const;
@@ -42,15 +54,19 @@ struct Shape {
 
 class ShapeReader {
  public:
-  ShapeReader(Accessors& accessors, Buffers& buffers) : accessors_(&accessors), buffers_(&buffers) {}
+  // uv_set: the number of the texture coordinates to read; none where it is nothing.
+  ShapeReader(const Value& root, Accessors& accessors, Buffers& buffers, std::optional<int> uv_set)
+      : root_(root), accessors_(&accessors), buffers_(&buffers), uv_set_(uv_set) {}
 
   // `weights` of the morph targets: a list of numbers, or nothing for the mesh's own. Influences are read where
   // is_skinned. Throws std::runtime_error with the fault.
   Shape read(const Value& mesh, const std::optional<Value>& weights, bool is_skinned);
 
  private:
+  Value root_;
   Accessors* accessors_;
   Buffers* buffers_;
+  std::optional<int> uv_set_;
 };
 
 }  // namespace lkao::scene::gltf

@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "scene/formats/text.h"
+
 namespace lkao::scene::gltf {
 
 using nlohmann::json;
@@ -99,21 +101,5 @@ Value item_of_list(const Value& root, const char* name, const Value& index) {
   }
   return root.at(name).element(number);
 }
-
-std::string shortened(std::string_view text, std::size_t most) {
-  if (text.size() <= most) return std::string(text);
-  while (most > 0 && (static_cast<unsigned char>(text[most]) & 0xc0) == 0x80) --most;
-  return std::string(text.substr(0, most)) + "...";
-}
-
-std::string printable(std::string_view text) {
-  std::string result = shortened(text, 60);
-  for (char& c : result) {
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = ' ';
-  }
-  return result;
-}
-
-std::string in_quotes(std::string_view text) { return '"' + printable(text) + '"'; }
 
 }  // namespace lkao::scene::gltf

@@ -57,11 +57,4 @@ std::size_t size_of_list(const Value& root, const char* name);
 // The entry of the document's list `name` that `index` names.
 Value item_of_list(const Value& root, const char* name, const Value& index);
 
-// The first characters of a text (UTF-8) of at most so many bytes, and dots where it has more.
-std::string shortened(std::string_view text, std::size_t most);
-
-// Words of a file, made fit for a message: short, without control characters.
-std::string printable(std::string_view text);
-std::string in_quotes(std::string_view text);  // that, in quotation marks
-
 }  // namespace lkao::scene::gltf
