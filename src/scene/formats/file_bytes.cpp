@@ -40,4 +40,12 @@ FileBytes read_file(const std::string& path) {
   return bytes;
 }
 
+FileBytes read_regular_file(const std::string& path) {
+  std::error_code error;
+  if (std::filesystem::exists(path, error) && !std::filesystem::is_regular_file(path, error)) {
+    throw std::runtime_error("is no file");
+  }
+  return read_file(path);
+}
+
 }  // namespace lkao::scene

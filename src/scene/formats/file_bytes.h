@@ -18,5 +18,7 @@ struct FileBytes {
 
 // Throws std::runtime_error with the fault alone: missing, a directory, unreadable.
 FileBytes read_file(const std::string& path);
+// Throws also for what is there but no file: a device may have no end.
+FileBytes read_regular_file(const std::string& path);
 
 }  // namespace lkao::scene

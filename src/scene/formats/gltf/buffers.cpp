@@ -1,25 +1,20 @@
 #include "scene/formats/gltf/buffers.h"
 
-#include <filesystem>
 #include <stdexcept>
 
 #include <fmt/format.h>
 
 #include "scene/formats/gltf/meshopt.h"
 #include "scene/formats/gltf/uri.h"
+#include "scene/formats/text.h"
 
 namespace lkao::scene::gltf {
 
 namespace {
 
-// Files only: a device may have no end.
 FileBytes read_buffer(const std::string& path, const std::string& uri) {
-  std::error_code error;
   try {
-    if (std::filesystem::exists(path, error) && !std::filesystem::is_regular_file(path, error)) {
-      throw std::runtime_error("is no file");
-    }
-    return read_file(path);
+    return read_regular_file(path);
   } catch (const std::runtime_error& fault) {
     throw std::runtime_error(fmt::format("its buffer {}: {}", in_quotes(uri), fault.what()));
   }
@@ -42,7 +37,9 @@ BufferView Buffers::view(const Value& index) {
 }
 
 std::string_view Buffers::slice(const Value& place) {
-  const std::string_view bytes = buffer(place.at("buffer"));
+  const Value index = place.at("buffer");
+  item_of_list(root_, "buffers", index);
+  const std::string_view bytes = buffer(index.count());
   const std::size_t offset = count_or(place, "byteOffset", 0);
   const std::size_t size = place.at("byteLength").count();
   if (offset > bytes.size() || size > bytes.size() - offset) {
@@ -52,9 +49,9 @@ std::string_view Buffers::slice(const Value& place) {
   return bytes.substr(offset, size);
 }
 
-std::string_view Buffers::buffer(const Value& index) {
-  const Value buffer = item_of_list(root_, "buffers", index);
-  const std::string_view bytes = content_of(buffer, index.count());
+std::string_view Buffers::buffer(std::size_t number) {
+  const Value buffer = root_.at("buffers").element(number);
+  const std::string_view bytes = content_of(buffer, number);
   const std::size_t size = buffer.at("byteLength").count();
   if (bytes.size() < size) {
     const std::optional<Value> uri = buffer.find("uri");

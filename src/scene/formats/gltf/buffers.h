@@ -28,11 +28,13 @@ class Buffers {
   // Decompressed where need be.
   BufferView view(const Value& index);
 
+  // All of a buffer, by its number; it is known to be there.
+  std::string_view buffer(std::size_t number);
+
   // How many bytes were read so far, the file itself among them.
   std::size_t byte_count() const { return byte_count_; }
 
  private:
-  std::string_view buffer(const Value& index);
   std::string_view content_of(const Value& buffer, std::size_t number);
   std::string_view slice(const Value& place);
 

@@ -2,6 +2,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
+#include <limits>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -59,19 +61,59 @@ Container open_glb(std::string_view bytes) {
   std::string_view rest = bytes.substr(kHeaderSize, length - kHeaderSize);
   const Chunk first = take_chunk(rest);
   if (first.type != kJsonChunk) throw std::runtime_error("malformed GLB: its first chunk is not JSON");
-  Container container{without_padding(first.content), {}};
+  Container container{.json = without_padding(first.content), .binary = {}, .is_glb = true};
   while (rest.size() >= kChunkHeaderSize && !container.binary) {
+    const std::string_view before = rest;
     const Chunk chunk = take_chunk(rest);
-    if (chunk.type == kBinaryChunk) container.binary = chunk.content;
+    if (chunk.type == kBinaryChunk) {
+      container.binary = chunk.content;
+    } else {
+      container.others.push_back(before.substr(0, before.size() - rest.size()));
+    }
   }
+  if (!rest.empty()) container.others.push_back(rest);
   return container;
+}
+
+void append_uint32(std::string& bytes, std::size_t number) {
+  const auto value = static_cast<std::uint32_t>(number);
+  char raw[sizeof value];
+  std::memcpy(raw, &value, sizeof value);
+  bytes.append(raw, sizeof value);
+}
+
+void append_chunk(std::string& bytes, std::string_view type, std::string_view content, char padding) {
+  const std::size_t missing = (4 - content.size() % 4) % 4;
+  append_uint32(bytes, content.size() + missing);
+  bytes.append(type).append(content).append(missing, padding);
 }
 
 }  // namespace
 
+std::string make_glb(std::string_view json, std::optional<std::string_view> binary,
+                     const std::vector<std::string_view>& others) {
+  constexpr std::size_t kPadding = 3;  // at most, of each chunk
+  std::size_t size = kHeaderSize + 2 * (kChunkHeaderSize + kPadding) + json.size() + (binary ? binary->size() : 0);
+  for (const std::string_view chunk : others) size += chunk.size();
+  if (size > std::numeric_limits<std::uint32_t>::max()) {
+    throw std::runtime_error(fmt::format("a GLB has less than 4 GiB; it would have {} bytes", size));
+  }
+  std::string bytes;
+  bytes.reserve(size);
+  bytes.append("glTF");
+  append_uint32(bytes, 2);
+  append_uint32(bytes, 0);  // the length, once it is known
+  append_chunk(bytes, kJsonChunk, json, ' ');
+  if (binary) append_chunk(bytes, kBinaryChunk, *binary, '\0');
+  for (const std::string_view chunk : others) bytes.append(chunk);
+  std::string length;
+  append_uint32(length, bytes.size());
+  return bytes.replace(8, 4, length);
+}
+
 Container open_container(std::string_view bytes) {
   if (bytes.starts_with("glTF")) return open_glb(bytes);
-  return {without_byte_order_mark(bytes), {}};
+  return {.json = without_byte_order_mark(bytes), .binary = {}};
 }
 
 }  // namespace lkao::scene::gltf

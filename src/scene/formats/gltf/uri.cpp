@@ -80,6 +80,19 @@ std::optional<std::string_view> scheme_of(std::string_view uri) {
 
 bool is_data_uri(std::string_view uri) { return uri.size() >= 5 && equal_but_for_case(uri.substr(0, 5), "data:"); }
 
+bool is_relative_uri(std::string_view uri) { return !scheme_of(uri); }
+
+std::string encode_uri(std::string_view path) {
+  constexpr std::string_view kPlain = "-._~/";
+  std::string uri;
+  for (const char c : path) {
+    const auto byte = static_cast<unsigned char>(c);
+    const bool is_plain = byte < 0x80 && (std::isalnum(byte) != 0 || kPlain.find(c) != kPlain.npos);
+    uri += is_plain ? std::string(1, c) : fmt::format("%{:02X}", byte);
+  }
+  return uri;
+}
+
 std::string decode_data_uri(std::string_view uri) {
   const std::size_t comma = uri.find(',');
   if (comma == uri.npos) throw std::runtime_error("its data: URI has no comma");
