@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace lkao::image {
@@ -22,12 +23,18 @@ struct Image {
 // Throws std::runtime_error with one line naming the file and the fault. Prints nothing.
 Image read_image(const std::string& path);
 
+// The same of a PNG or JPEG in memory; `path` is what messages name.
+Image decode_image(const std::string& path, std::string_view bytes);
+
 // Writes by the file name's ending: .exr as 32-bit float, all channels, bit for bit; .png as 8 bits, 1 to 4 channels,
 // values as they are (sRGB-encoded already), clamped to [0, 1] and rounded, NaN as 0. Equal images are equal files: the
 // date in an EXR's header is always the same. Nothing is left behind when it
 // fails: the file appears complete or not at all (AtomicFile).
 // Throws std::runtime_error with one line naming the file and the fault. Prints nothing.
 void write_image(const std::string& path, const Image& image);
+
+// The bytes of the .png that write_image would write; `path` is what messages name.
+std::string encode_png(const std::string& path, const Image& image);
 
 // Throws what write_image would throw for this file name and its folder, before there is an image to lose.
 void check_image_path(const std::string& path);

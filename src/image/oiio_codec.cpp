@@ -24,17 +24,20 @@ namespace {
   throw std::runtime_error(fmt::format("cannot read '{}': {}", path, reason));
 }
 
-std::unique_ptr<OIIO::ImageInput> open(const std::string& path) {
+std::unique_ptr<OIIO::ImageInput> open(const std::string& path, const std::string& name,
+                                       OIIO::Filesystem::IOProxy* memory) {
   OIIO::ImageSpec config;
   config.attribute("oiio:UnassociatedAlpha", 1);  // values as they are in the file
-  auto input = OIIO::ImageInput::open(path, &config);
+  if (memory != nullptr) config.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &memory);
+  auto input = OIIO::ImageInput::open(name, &config);
   if (!input) fail_to_read(path, one_line(OIIO::geterror()));
   if (input->spec().deep) fail_to_read(path, "deep images are not supported");
   return input;
 }
 
-Image read(const std::string& path) {
-  const auto input = open(path);
+// `path` is for messages.
+Image read_from(const std::string& path, const std::string& name, OIIO::Filesystem::IOProxy* memory) {
+  const auto input = open(path, name, memory);
   const OIIO::ImageSpec& spec = input->spec();
   Image image{spec.width, spec.height, spec.channelnames, {}};
   try {
@@ -46,6 +49,13 @@ Image read(const std::string& path) {
     fail_to_read(path, one_line(input->geterror()));
   }
   return image;
+}
+
+Image read(const std::string& path) { return read_from(path, path, nullptr); }
+
+Image decode(const std::string& path, std::string_view bytes) {
+  OIIO::Filesystem::IOMemReader memory(bytes.data(), bytes.size());
+  return read_from(path, bytes.starts_with("\xff\xd8") ? "in.jpg" : "in.png", &memory);
 }
 
 // --- Writing
@@ -101,6 +111,6 @@ std::vector<unsigned char> encode(const std::string& path, const Image& image, F
 }  // namespace lkao::image
 
 extern "C" __attribute__((visibility("default"))) const lkao::image::Codec* lkao_image_codec() {
-  static constexpr lkao::image::Codec codec{lkao::image::read, lkao::image::encode};
+  static constexpr lkao::image::Codec codec{lkao::image::read, lkao::image::decode, lkao::image::encode};
   return &codec;
 }

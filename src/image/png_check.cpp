@@ -35,9 +35,13 @@ std::string find_png_damage(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   std::string start(kSignature.size(), '\0');
   if (!file.read(start.data(), static_cast<std::streamsize>(start.size())) || start != kSignature) return "";
-  const std::string bytes(std::istreambuf_iterator<char>(file), {});
+  return find_png_damage_in(start + std::string(std::istreambuf_iterator<char>(file), {}));
+}
+
+std::string find_png_damage_in(std::string_view bytes) {
+  if (!bytes.starts_with(kSignature)) return "";
   // Chunks: length of the data (4 bytes), type (4), data, checksum of type and data (4).
-  std::string_view left = bytes;
+  std::string_view left = bytes.substr(kSignature.size());
   while (left.size() >= 12) {
     const std::size_t length = big_endian(left);
     if (left.size() - 12 < length) break;

@@ -29,4 +29,10 @@ Image read_image(const std::string& path) {
   return codec().read(path);
 }
 
+Image decode_image(const std::string& path, std::string_view bytes) {
+  const std::string damage = find_png_damage_in(bytes);
+  if (!damage.empty()) fail(path, damage);
+  return codec().decode(path, bytes);
+}
+
 }  // namespace lkao::image

@@ -54,6 +54,12 @@ void write_image(const std::string& path, const Image& image) {
   write_file(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
 }
 
+std::string encode_png(const std::string& path, const Image& image) {
+  check_image(path, image, Format::png);
+  const std::vector<unsigned char> bytes = codec().encode(path, image, Format::png);
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
 void check_image_path(const std::string& path) {
   format_of(path);
   AtomicFile{path};
