@@ -3,8 +3,10 @@
 #include <cstdio>
 #include <fstream>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -12,6 +14,7 @@
 
 #include "cli/baking.h"
 #include "cli/commands.h"
+#include "cli/gltf_output.h"
 #include "cli/json_output.h"
 #include "cli/method_options.h"
 #include "cli/normals_option.h"
@@ -31,6 +34,8 @@ namespace {
 using bake::Per;
 
 constexpr method::Word<Per> kPerWords[] = {{"vertex", Per::vertex}, {"corner", Per::corner}, {"face", Per::face}};
+constexpr method::Word<scene::GltfAttribute> kAttributeWords[] = {{"occlusion", scene::GltfAttribute::occlusion},
+                                                                  {"color", scene::GltfAttribute::colour}};
 constexpr method::Word<Filter> kFilterWords[] = {{"none", Filter::none}, {"least-squares", Filter::least_squares}};
 
 struct BakeOptions {
@@ -38,9 +43,12 @@ struct BakeOptions {
   BakingOptions baking;
   scene::OcclusionProperties properties;
   bool linear = false;
+  std::optional<scene::GltfAttribute> attribute;
   CommonOptions common;
 
   bool wants_obj() const { return ending_of(output) == ".obj"; }
+  bool wants_gltf() const { return is_gltf(output); }
+  scene::GltfAttribute attribute_or_default() const { return attribute.value_or(scene::GltfAttribute::occlusion); }
 };
 
 void write_mesh(const std::string& path, const BakeOptions& options, const Baking& result) {
@@ -104,19 +112,33 @@ void report_oddities(const BakeOptions& options, const Baking& result) {
   report_fully_blocked(result.scene, options.baking.per == Per::face ? "faces" : "vertices", result.batch,
                        result.radius);
   const glm::dvec3& origin = result.scene.mesh.origin;
-  if (origin != glm::dvec3(0.0) && !options.wants_obj()) {
+  if (origin != glm::dvec3(0.0) && !options.wants_obj() && !options.wants_gltf()) {
     fmt::print(stderr, "lkao: {}: coordinates are less the origin {:.17g} {:.17g} {:.17g}, which its header names\n",
                options.output, origin.x, origin.y, origin.z);
   }
 }
 
+// A model that is written as it was read keeps its vertices.
+void check_gltf_options(const BakeOptions& options) {
+  if (options.attribute && !options.wants_gltf()) {
+    throw std::invalid_argument("--attribute is for a .gltf or .glb");
+  }
+  if (!options.wants_gltf()) return;
+  if (options.baking.per != Per::vertex) {
+    throw std::invalid_argument(fmt::format("--per {}: a .gltf or .glb has values of vertices alone; write a .ply",
+                                            word_of(kPerWords, options.baking.per)));
+  }
+  if (options.properties.quality) throw std::invalid_argument("--quality is for a .ply");
+}
+
 // Faults of the options that need no scene to be seen.
 void check_options(const BakeOptions& options) {
   const bool is_obj = options.wants_obj();
-  if (!is_obj && ending_of(options.output) != ".ply") {
+  if (!is_obj && !options.wants_gltf() && ending_of(options.output) != ".ply") {
     throw std::invalid_argument(
-        fmt::format("--output: expected a name ending in .ply or .obj, got '{}'", options.output));
+        fmt::format("--output: expected a name ending in .ply, .obj, .gltf or .glb, got '{}'", options.output));
   }
+  check_gltf_options(options);
   if (is_obj && options.properties.quality) {
     throw std::invalid_argument("--quality: an .obj has colours alone; write a .ply");
   }
@@ -127,6 +149,22 @@ void check_options(const BakeOptions& options) {
     throw std::invalid_argument("--filter least-squares is for --per vertex and corner, not for --per face");
   }
   check_question(options.baking.method, options.baking.occlusion);
+}
+
+// What is written as it was read; null for other files.
+std::unique_ptr<scene::GltfFile> open_model(const BakeOptions& options) {
+  if (!options.wants_gltf()) return nullptr;
+  std::unique_ptr<scene::GltfFile> model = open_gltf(options.baking.scene.name, options.output);
+  model->check_vertices(options.attribute_or_default());
+  return model;
+}
+
+std::vector<std::string> inputs_of(const BakeOptions& options, const scene::GltfFile* model) {
+  std::vector<std::string> inputs = options.baking.parts.with_merged(options.baking.scene.inputs());
+  for (std::string& path : model != nullptr ? model->neighbours() : std::vector<std::string>()) {
+    inputs.push_back(std::move(path));
+  }
+  return inputs;
 }
 
 void bake_part(BakeOptions options) {
@@ -141,14 +179,22 @@ void bake_part(BakeOptions options) {
 void bake(const BakeOptions& options) {
   check_options(options);
   if (options.baking.parts.part) return bake_part(options);
-  OutputFiles outputs(options.baking.parts.with_merged(options.baking.scene.inputs()));
+  const std::unique_ptr<scene::GltfFile> model = open_model(options);
+  OutputFiles outputs(inputs_of(options, model.get()));
   const std::string mesh_path = outputs.claim(options.output);
   const JsonOutput json(options.common.json_path, outputs);
 
   ProgressBar progress(!options.common.quiet);
   const Baking result = compute_baking(options.baking, progress);
   report_oddities(options, result);
-  write_mesh(mesh_path, options, result);
+  if (model) {
+    const scene::GltfOutput output =
+        model->with_vertices(result.scene.contents, result.batch.occlusion, options.attribute_or_default());
+    for (const std::string& remark : output.remarks) fmt::print(stderr, "lkao: {}: {}\n", options.output, remark);
+    write_gltf(output, options.output, mesh_path, outputs);
+  } else {
+    write_mesh(mesh_path, options, result);
+  }
   json.write_and_commit(document_of(options.baking, result));
   if (options.common.wants_table()) print_table(options, result);
 }
@@ -174,11 +220,17 @@ void add_options(CLI::App& app, BakeOptions& options) {
       ->type_name("X,Y,Z");
   app.add_option("-o,--output", options.output,
                  "Mesh: a .ply with occlusion and grey colour, or an .obj with grey colour; grey is the visibility, 1 "
-                 "less the occlusion, in sRGB")
+                 "less the occlusion, in sRGB. Of a .gltf or .glb another, with all that it has and the attribute")
       ->required()
       ->type_name("FILE");
   app.add_flag("--linear", options.linear, "Grey without the curve of sRGB");
   app.add_flag("--quality", options.properties.quality, "Add the property quality, the visibility, for MeshLab (.ply)");
+  add_parsed(
+      app, "--attribute", options.attribute,
+      [](const std::string& text) { return method::parse_word(kAttributeWords, text); },
+      "Of a .gltf or .glb: occlusion (_OCCLUSION), or color (COLOR_0, the visibility, linear; viewers show it) "
+      "(default: occlusion)")
+      ->type_name(method::join(method::list_words(kAttributeWords), "|"));
   add_baking_options(app, options.baking);
   add_part_options(app, options.baking.parts);
   add_common_options(app, options.common);

@@ -49,7 +49,9 @@ SceneInput load_scene(const SceneOptions& options) {
   const method::Stopwatch watch;
   SceneInput scene;
   scene.name = options.name;
-  scene.mesh = usable_mesh(options.name, scene::open(options.name), scene.defects, scene.notes);
+  scene::MeshFile file = scene::open(options.name);
+  scene.contents = file.contents;
+  scene.mesh = usable_mesh(options.name, std::move(file), scene.defects, scene.notes);
   if (options.flip) scene::turn_round(scene.mesh);
   scene.load_seconds = watch.seconds();
   return scene;

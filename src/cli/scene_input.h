@@ -16,9 +16,10 @@
 namespace lkao::cli {
 
 struct SceneInput {
-  std::string name;        // as the user gave it
-  scene::Mesh mesh;        // the scene itself, of usable triangles only
-  scene::Defects defects;  // of its file
+  std::string name;          // as the user gave it
+  scene::Mesh mesh;          // the scene itself, of usable triangles only
+  scene::Contents contents;  // of its file
+  scene::Defects defects;    // likewise
   double load_seconds = 0;
   std::vector<std::string> notes;  // a line each
 

@@ -158,7 +158,7 @@ TEST_F(Bake, FarFromZeroNamesTheOrigin) {
 }
 
 TEST_F(Bake, OptionsThatDoNotMeetAreRefused) {
-  expect_rejected(bake_to("out.stl", "builtin:wall"), {".ply or .obj", "out.stl"});
+  expect_rejected(bake_to("out.stl", "builtin:wall"), {".ply, .obj, .gltf or .glb", "out.stl"});
   expect_rejected(bake_to("out.obj", "builtin:wall", {"--quality"}), {"--quality"});
   expect_rejected(bake_to("out.obj", "builtin:wall", {"--per", "face"}), {"--per face", ".obj"});
   expect_rejected(bake("builtin:wall", {"--per", "face", "--filter", "least-squares"}), {"--filter", "--per face"});
