@@ -40,6 +40,8 @@ Command add_report_command(CLI::App& program);
 Command add_lod_command(CLI::App& program);
 // Baked values of vertices against occlusion all over the faces.
 Command add_bake_command(CLI::App& program);
+// Maps of occlusion against Embree.
+Command add_texture_command(CLI::App& program);
 // Plane mask tables by size and kind.
 Command add_tables_command(CLI::App& program);
 // Sample patterns against the integral.

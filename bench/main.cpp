@@ -20,8 +20,8 @@ std::vector<Command> add_commands(CLI::App& program) {
         add_raster_command(program), add_volumes_command(program), add_splats_command(program),
         add_screen_command(program),
 #endif
-        add_report_command(program), add_lod_command(program), add_bake_command(program), add_tables_command(program),
-        add_patterns_command(program),
+        add_report_command(program), add_lod_command(program), add_bake_command(program), add_texture_command(program),
+        add_tables_command(program), add_patterns_command(program),
   };
 }
 
