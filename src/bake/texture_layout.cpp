@@ -44,7 +44,7 @@ TextureLayout::TextureLayout(const scene::CornerNormals& normals, const TextureO
 
 bool TextureLayout::is_chosen(std::uint32_t triangle) const {
   if (!options_.material) return true;
-  return !mesh().materials.empty() && mesh().materials[triangle] == *options_.material;
+  return (mesh().materials.empty() ? scene::kNoMaterial : mesh().materials[triangle]) == *options_.material;
 }
 
 glm::dvec2 TextureLayout::uv(std::uint32_t triangle, std::uint32_t corner) const {

@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <optional>
 
+#include "scene/contents.h"
+
 namespace lkao::bake {
 
 class Cage;
@@ -12,12 +14,8 @@ class Cage;
 inline constexpr int kMaxTextureSize = 32768;  // texels each way
 inline constexpr int kMaxTextureGrid = 16;
 
-// What is shown at texture coordinates outside of [0, 1].
-enum class Wrap {
-  repeat,
-  mirror,  // repeated, every other time backwards
-  clamp,   // the edge: what lies beyond is not baked, and counted
-};
+// What is shown at texture coordinates outside of [0, 1]. Beyond a clamped edge nothing is baked, and counted.
+using Wrap = scene::TextureWrap;
 
 enum class BentNormals {
   none,

@@ -1,4 +1,4 @@
-// lkao bake: occlusion per vertex, corner or face of a mesh.
+// lkao bake: occlusion per vertex, corner, face or texel of a mesh.
 #include <cmath>
 #include <cstdio>
 #include <fstream>
@@ -24,6 +24,10 @@
 #include "cli/parsed_option.h"
 #include "cli/progress_bar.h"
 #include "cli/report.h"
+#include "cli/texture_baking.h"
+#include "cli/texture_files.h"
+#include "cli/texture_options.h"
+#include "cli/texture_report.h"
 #include "method/setting_options.h"
 #include "scene/obj_writer.h"
 #include "scene/ply_writer.h"
@@ -44,6 +48,7 @@ struct BakeOptions {
   scene::OcclusionProperties properties;
   bool linear = false;
   std::optional<scene::GltfAttribute> attribute;
+  TextureSettings texture;
   CommonOptions common;
 
   bool wants_obj() const { return ending_of(output) == ".obj"; }
@@ -78,7 +83,7 @@ Json document_of(const BakingOptions& options, const Baking& result) {
   document["normals"] = word_of(kNormalSourceWords, result.normals);
   document["vertices"] = result.scene.mesh.positions.size();
   document["receivers"] = result.receiver_count;
-  add_batch_keys(document, *options.method.kind, result.batch);
+  add_batch_keys(document, *options.method.kind, result.batch, result.batch.occlusion_mean());
   document["vertices_without_normal"] = options.per == Per::face ? 0 : result.bare_count;
   add_setting_keys(document, options.occlusion);
   add_remark_keys(document, result.remarks);
@@ -98,7 +103,7 @@ void print_table(const BakeOptions& options, const Baking& result) {
   table.add("receivers", fmt::format("{} for {} {}", grouped(result.receiver_count),
                                      grouped(result.batch.occlusion.size() - result.bare_count),
                                      options.baking.per == Per::face ? "faces" : "vertices"));
-  add_batch_rows(table, *options.baking.method.kind, result.batch);
+  add_batch_rows(table, *options.baking.method.kind, result.batch, result.batch.occlusion_mean());
   table.add("wrote", options.output);
   table.print();
 }
@@ -133,6 +138,8 @@ void check_gltf_options(const BakeOptions& options) {
 
 // Faults of the options that need no scene to be seen.
 void check_options(const BakeOptions& options) {
+  check_question(options.baking.method, options.baking.occlusion);
+  if (options.texture.size) return check_texture_output(options.output, options.texture);
   const bool is_obj = options.wants_obj();
   if (!is_obj && !options.wants_gltf() && ending_of(options.output) != ".ply") {
     throw std::invalid_argument(
@@ -148,14 +155,13 @@ void check_options(const BakeOptions& options) {
   if (options.baking.per == Per::face && options.baking.filter != Filter::none) {
     throw std::invalid_argument("--filter least-squares is for --per vertex and corner, not for --per face");
   }
-  check_question(options.baking.method, options.baking.occlusion);
 }
 
 // What is written as it was read; null for other files.
 std::unique_ptr<scene::GltfFile> open_model(const BakeOptions& options) {
   if (!options.wants_gltf()) return nullptr;
   std::unique_ptr<scene::GltfFile> model = open_gltf(options.baking.scene.name, options.output);
-  model->check_vertices(options.attribute_or_default());
+  if (!options.texture.size) model->check_vertices(options.attribute_or_default());
   return model;
 }
 
@@ -173,12 +179,30 @@ void bake_part(BakeOptions options) {
   const JsonOutput json(options.common.json_path, outputs);
   parts.writer = begin_part(parts, options.output, outputs);
   ProgressBar progress(!options.common.quiet);
-  end_part(parts, options.output, compute_baking(options.baking, progress).batch, options.common, json);
+  const method::Batch batch = options.texture.size
+                                  ? compute_texture_baking(options.baking, options.texture, progress).baking.batch
+                                  : compute_baking(options.baking, progress).batch;
+  end_part(parts, options.output, batch, options.common, json);
+}
+
+void bake_textures(const BakeOptions& options) {
+  const std::unique_ptr<scene::GltfFile> model = open_model(options);
+  OutputFiles outputs(inputs_of(options, model.get()));
+  const JsonOutput json(options.common.json_path, outputs);
+
+  ProgressBar progress(!options.common.quiet);
+  const TextureBaking result = compute_texture_baking(options.baking, options.texture, progress);
+  report_texture_oddities(result);
+  const std::vector<std::string> written =
+      write_textures(options.output, result, options.texture, model.get(), outputs);
+  json.write_and_commit(texture_document(options.baking, options.texture, result));
+  if (options.common.wants_table()) print_texture_table(options.baking, options.texture, result, written);
 }
 
 void bake(const BakeOptions& options) {
   check_options(options);
   if (options.baking.parts.part) return bake_part(options);
+  if (options.texture.size) return bake_textures(options);
   const std::unique_ptr<scene::GltfFile> model = open_model(options);
   OutputFiles outputs(inputs_of(options, model.get()));
   const std::string mesh_path = outputs.claim(options.output);
@@ -218,9 +242,11 @@ void add_options(CLI::App& app, BakeOptions& options) {
   add_scene_options(app, options.baking.scene, "gets nothing");
   add_parsed(app, "--up", options.baking.up, parse_vector, "What is up, for --ground (default: 0,1,0)")
       ->type_name("X,Y,Z");
-  app.add_option("-o,--output", options.output,
-                 "Mesh: a .ply with occlusion and grey colour, or an .obj with grey colour; grey is the visibility, 1 "
-                 "less the occlusion, in sRGB. Of a .gltf or .glb another, with all that it has and the attribute")
+  app.add_option(
+         "-o,--output", options.output,
+         "Mesh: a .ply with occlusion and grey colour, or an .obj with grey colour; grey is the visibility, 1 "
+         "less the occlusion, in sRGB. Of a .gltf or .glb another, with all that it has and the attribute. With "
+         "--texture: an image, .png or .exr, or a .gltf or .glb with the map in it")
       ->required()
       ->type_name("FILE");
   app.add_flag("--linear", options.linear, "Grey without the curve of sRGB");
@@ -232,6 +258,7 @@ void add_options(CLI::App& app, BakeOptions& options) {
       "(default: occlusion)")
       ->type_name(method::join(method::list_words(kAttributeWords), "|"));
   add_baking_options(app, options.baking);
+  add_texture_options(app, options.texture);
   add_part_options(app, options.baking.parts);
   add_common_options(app, options.common);
   app.footer(
@@ -245,9 +272,10 @@ void add_options(CLI::App& app, BakeOptions& options) {
 
 Command add_bake_command(CLI::App& program) {
   const auto options = std::make_shared<BakeOptions>();
-  CLI::App* const app = program.add_subcommand("bake", "Bake occlusion into the vertices or faces of a mesh");
+  CLI::App* const app = program.add_subcommand("bake", "Bake occlusion into the vertices, faces or textures of a mesh");
   add_options(*app, *options);
   const auto run = [options] {
+    if (options->texture.size) options->baking.scene.uv_set = options->texture.uv_set;
     options->properties.coding = options->linear ? scene::ColourCoding::linear : scene::ColourCoding::srgb;
     with_threads(options->common.thread_count, [&] { bake(*options); });
     return kSuccess;

@@ -47,7 +47,7 @@ Json document_of(const RenderingOptions& options, const Rendering& result) {
   document["width"] = options.size.width;
   document["height"] = options.size.height;
   document["receivers"] = result.view.receiver_count;
-  add_batch_keys(document, *options.method.kind, result.batch);
+  add_batch_keys(document, *options.method.kind, result.batch, result.batch.occlusion_mean());
   document["invalid_receivers"] = result.batch.invalid_receiver_count;
   add_setting_keys(document, options.occlusion);
   add_remark_keys(document, result.remarks);
@@ -79,7 +79,7 @@ void print_table(const RenderOptions& options, const Rendering& result) {
     add_lod_row(table, *result.chain, static_cast<float>(result.radius), result.lod_seconds);
   }
   add_remark_rows(table, result.remarks);
-  add_batch_rows(table, *options.rendering.method.kind, result.batch);
+  add_batch_rows(table, *options.rendering.method.kind, result.batch, result.batch.occlusion_mean());
   if (options.rendering.light) {
     table.add("mean visibility", fmt::format("{:.4f} of the light", 1 - result.batch.occlusion_mean()));
   }

@@ -60,7 +60,7 @@ void add_scene_row(Table& table, const SceneInput& scene) {
   table.add("scene", fmt::format("{}, {} triangles", scene.name, grouped(scene.mesh.triangles.size())));
 }
 
-void add_batch_rows(Table& table, const MethodKind& kind, const Batch& batch) {
+void add_batch_rows(Table& table, const MethodKind& kind, const Batch& batch, double occlusion_mean) {
   table.add("rays", grouped(batch.ray_count));
   table.add(std::string(kind.word), speed_text(batch.ray_count, batch.seconds));
   if (batch.check) {
@@ -69,14 +69,14 @@ void add_batch_rows(Table& table, const MethodKind& kind, const Batch& batch) {
     table.add("difference", fmt::format("{}MAE {:.3g}, RMSE {:.3g}, maximum {:.3g}", ray_text(off), off.error.mae,
                                         off.error.rmse, off.error.max_error));
   }
-  table.add("mean occlusion", fmt::format("{:.4f}", batch.occlusion_mean()));
+  table.add("mean occlusion", fmt::format("{:.4f}", occlusion_mean));
 }
 
-void add_batch_keys(Json& document, const MethodKind& kind, const Batch& batch) {
+void add_batch_keys(Json& document, const MethodKind& kind, const Batch& batch, double occlusion_mean) {
   document["rays"] = batch.ray_count;
   document["seconds"] = batch.seconds;
   document["mrays_per_second"] = mrays_per_second(batch.ray_count, batch.seconds);
-  document["occlusion_mean"] = batch.occlusion_mean();
+  document["occlusion_mean"] = occlusion_mean;
   if (batch.check) document["reference"] = check_json(reference_of(kind), *batch.check);
 }
 

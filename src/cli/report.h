@@ -35,8 +35,8 @@ Json position_json(const glm::vec3& position, const glm::dvec3& origin);
 
 // The rows and keys that renderings and bakes share.
 void add_scene_row(Table& table, const SceneInput& scene);
-void add_batch_rows(Table& table, const method::MethodKind& kind, const method::Batch& batch);
-void add_batch_keys(Json& document, const method::MethodKind& kind, const method::Batch& batch);
+void add_batch_rows(Table& table, const method::MethodKind& kind, const method::Batch& batch, double occlusion_mean);
+void add_batch_keys(Json& document, const method::MethodKind& kind, const method::Batch& batch, double occlusion_mean);
 void add_setting_keys(Json& document, const OcclusionOptions& options);
 void add_remark_rows(Table& table, const method::Remarks& remarks);
 void add_remark_keys(Json& document, const method::Remarks& remarks);

@@ -49,7 +49,7 @@ SceneInput load_scene(const SceneOptions& options) {
   const method::Stopwatch watch;
   SceneInput scene;
   scene.name = options.name;
-  scene::MeshFile file = scene::open(options.name);
+  scene::MeshFile file = scene::open(options.name, {.uv_set = options.uv_set});
   scene.contents = file.contents;
   scene.mesh = usable_mesh(options.name, std::move(file), scene.defects, scene.notes);
   if (options.flip) scene::turn_round(scene.mesh);

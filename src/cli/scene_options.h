@@ -1,6 +1,7 @@
 // The scene on the command line: a mesh, and what is put around it.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,7 @@ struct SceneOptions {
   bool flip = false;
   bool ground = false;
   std::vector<std::string> blockers = {};  // mesh files
+  std::optional<int> uv_set = {};          // texture coordinates to read; set by who needs them
 
   bool has_surroundings() const { return ground || !blockers.empty(); }
   // All that is read: names that are no files do no harm.
