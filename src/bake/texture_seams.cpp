@@ -17,7 +17,7 @@ namespace lkao::bake {
 namespace {
 
 // Of keeping a whole texel as it is, against both sides being equal at a point.
-constexpr double kKeep = 1e-3;
+constexpr double kKeep = 1e-4;
 // Texels that triangles cover less than this are kept like these: they are there for the filter alone.
 constexpr double kLeastCoverage = 0.1;
 
@@ -78,7 +78,7 @@ class SeamPoints {
     const Side a(layout_, edge.sides[0], false), b(layout_, edge.sides[1], true);
     // A longer edge goes round the map several times.
     const double longest = 2.0 * (layout_.options().width + layout_.options().height);
-    const int steps = 1 + static_cast<int>(std::ceil(2 * std::min(longest, std::max(a.length(), b.length()))));
+    const int steps = 1 + static_cast<int>(std::ceil(4 * std::min(longest, std::max(a.length(), b.length()))));
     for (int i = 0; i <= steps; ++i) {
       const double share = static_cast<double>(i) / steps;
       const auto at_a = a.at(share), at_b = b.at(share);

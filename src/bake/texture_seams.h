@@ -13,7 +13,7 @@
 
 namespace lkao::bake {
 
-// Largest differences of occlusion between both sides, at points half a texel or less apart.
+// Largest differences of occlusion between both sides, at points a quarter of a texel or less apart.
 struct SeamDifferences {
   double before = 0, after = 0;
 };

@@ -13,7 +13,7 @@ namespace {
 Mesh detailed_floor() {
   Mesh mesh;
   add_quad(mesh, {{-1, 0, 2}, {2, 0, 2}, {2, 0, 0}, {-1, 0, 0}});
-  add_quad(mesh, {{-5000, 0, 0}, {5000, 0, 0}, {5000, 1, 0}, {-5000, 1, 0}});
+  add_quad(mesh, {{-50, 0, 0}, {50, 0, 0}, {50, 1, 0}, {-50, 1, 0}});
   return mesh;
 }
 
