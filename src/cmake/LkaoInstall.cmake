@@ -1,7 +1,7 @@
 # cmake --install: headers, libraries, the program, and what find_package(lkao CONFIG) and pkg-config read.
 #
 # Components: lkao_lut, lkao_core, lkao_gl, lkao_c: what programs are built with; lkao_runtime, lkao_gl_runtime: the
-# libraries of a shared lkao alone; lkao_c_runtime: that of the C interface; lkao_program.
+# libraries of a shared lkao alone; lkao_c_runtime: that of the C interface; lkao_program; lkao_python.
 
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
@@ -89,6 +89,18 @@ if(TARGET lkao_cli)
   set_target_properties(lkao_cli PROPERTIES INSTALL_RPATH "${lkao_libraries}/lkao")
   install(TARGETS lkao_cli RUNTIME COMPONENT lkao_program)
   install(TARGETS lkao_image_codec LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}/lkao" COMPONENT lkao_program)
+endif()
+
+if(TARGET lkao_python)
+  # Where that Python looks by itself, as far as that is in the folder to install to.
+  execute_process(COMMAND "${Python_EXECUTABLE}" -E "${CMAKE_CURRENT_LIST_DIR}/python_folder.py"
+                          "${CMAKE_INSTALL_PREFIX}"
+                  OUTPUT_VARIABLE lkao_python_folder OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
+  set(LKAO_PYTHON_DIR "${lkao_python_folder}" CACHE STRING "Where the Python package is installed, below the prefix")
+  install(TARGETS lkao_python LIBRARY DESTINATION "${LKAO_PYTHON_DIR}/lkao" COMPONENT lkao_python)
+  install(DIRECTORY "${PROJECT_SOURCE_DIR}/src/python/lkao" DESTINATION "${LKAO_PYTHON_DIR}" COMPONENT lkao_python
+          FILES_MATCHING PATTERN "*.py" PATTERN "*.pyi" PATTERN py.typed PATTERN __pycache__ EXCLUDE
+                         PATTERN .mypy_cache EXCLUDE)
 endif()
 
 install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DOCDIR}" COMPONENT lkao_lut)

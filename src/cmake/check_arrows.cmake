@@ -6,11 +6,12 @@
 #   lkao::lkao <- src/c_api: lkao::c, which nobody else sees
 #   lkao::lkao <- src/scene <- src/reference, src/lod, src/bake      lkao::gl, src/scene <- src/raster
 #   all of these but src/bake, src/image <- src/method; with it <- src/cli, bench
+#   lkao::lkao, src/scene, src/bake, src/lod, src/raster <- src/python, which nobody else sees
 
 cmake_minimum_required(VERSION 3.25)
 
 # The first folders of internal includes, and the libraries that only some parts may know.
-set(prefixes lkao lut bvh query c_api scene bake lod image reference raster method cli bench gpu draco OpenMesh
+set(prefixes lkao lut bvh query c_api scene bake lod image reference raster method cli python bench gpu draco OpenMesh
              OpenImageIO epoxy EGL tbb embree)
 
 set(may_include_include/lkao lkao)
@@ -29,6 +30,7 @@ set(may_include_src/reference lkao lut bvh query scene reference tbb embree)
 set(may_include_src/raster lkao gpu scene raster epoxy)
 set(may_include_src/method lkao scene lod image reference raster method tbb)
 set(may_include_src/cli lkao scene bake lod image method cli tbb)
+set(may_include_src/python lkao scene bake lod raster python tbb)
 set(may_include_bench lkao lut bvh query scene bake lod image reference raster method bench tbb embree)
 
 # Within gpu/.
@@ -45,7 +47,7 @@ set(cpu_headers lkao/lkao.h lkao/occluder_bvh.h lkao/occluder_scene.h lkao/ambie
 set(lut_never_sees ${cpu_headers})
 set(bvh_never_sees lkao/lkao.h lkao/ambient_occlusion.h lkao/neighbourhood.h lkao/ray_bundles.h
                    lkao/sky_visibility.h lkao/soft_shadows.h)
-set(gl_parts src/raster src/method bench)
+set(gl_parts src/raster src/method src/python bench)
 
 set(offender_count 0)
 set(file_count 0)
@@ -80,7 +82,8 @@ function(judge PART FILE LINE)
 endfunction()
 
 foreach(part IN ITEMS include/lkao lut bvh gpu/gl gpu/frame gpu/mesh gpu/masks gpu/volumes gpu/screen src/query
-                      src/c_api src/scene src/bake src/lod src/image src/reference src/raster src/method src/cli bench)
+                      src/c_api src/scene src/bake src/lod src/image src/reference src/raster src/method src/cli
+                      src/python bench)
   file(GLOB_RECURSE files RELATIVE "${ROOT}" "${ROOT}/${part}/*.h" "${ROOT}/${part}/*.cpp" "${ROOT}/${part}/*.glsl")
   foreach(file IN LISTS files)
     math(EXPR file_count "${file_count} + 1")

@@ -1,0 +1,92 @@
+"""Mesh files, built-in scenes, and levels of detail."""
+
+from __future__ import annotations
+
+import os
+from dataclasses import dataclass
+from typing import List, NamedTuple, Optional, Union
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _arguments as arguments
+from . import _lkao
+from ._arguments import Array, Floats, Triple
+from .scene import NO_ORIGIN, Progress, Scene, positions_and_origin
+
+
+def in_world(positions: Floats, origin: Triple) -> Array:
+    """Positions with what was taken away from them: float64 only where that is not zero."""
+    return positions if origin == NO_ORIGIN else positions.astype(np.float64) + origin
+
+
+class Mesh(NamedTuple):
+    """Positions (n, 3) and triangles (m, 3)."""
+
+    V: Array
+    F: npt.NDArray[np.uint32]
+
+
+def load(name: Union[str, "os.PathLike[str]"]) -> Mesh:
+    """The triangles of an OBJ, PLY, STL, OFF, glTF or GLB file, or of a built-in scene such as "builtin:atrium".
+
+    V is float32, or float64 for files far from zero. Raises RuntimeError naming the file and the fault.
+    """
+    positions, triangles, origin = _lkao.load(os.fspath(name))
+    return Mesh(in_world(positions, origin), triangles)
+
+
+@dataclass(frozen=True)
+class Level:
+    """A mesh for the distances r_min to r_max along a ray, within epsilon of the original."""
+
+    V: Array
+    F: npt.NDArray[np.uint32]
+    epsilon: float
+    r_min: float
+    r_max: float
+    origin: Triple
+
+    def scene(self) -> Scene:
+        """To be given to AmbientOcclusion: [(level.scene(), level.r_min, level.r_max) for level in levels]."""
+        return Scene(self.V, self.F, origin=self.origin)
+
+
+def simplify(
+    V: npt.ArrayLike,
+    F: npt.ArrayLike,
+    *,
+    radius: Optional[float] = None,
+    epsilon: Optional[float] = None,
+    k: float = 3.0,
+    growth: float = 3.0,
+    levels: int = 4,
+    threads: int = 0,
+    progress: Optional[Progress] = None,
+) -> List[Level]:
+    """Levels of detail of a mesh: the original, and ever coarser ones for distances ever farther along a ray.
+
+    radius: the AO radius, by which epsilon is chosen; or epsilon itself: the error of the first simplified level, in
+        the unit of V. k: how many times its error a level stays away. growth: of epsilon from level to level.
+    """
+    if (radius is None) == (epsilon is None):
+        raise TypeError("simplify takes either radius or epsilon")
+    if epsilon is not None and not arguments.number(epsilon, "epsilon") > 0:
+        raise ValueError(f"epsilon must be above 0, not {epsilon}")
+    positions, origin = positions_and_origin(V, None)
+    chain = _lkao.simplify(
+        positions,
+        arguments.triangles(F, len(positions)),
+        origin,
+        0.0 if radius is None else arguments.number(radius, "radius"),
+        0.0 if epsilon is None else arguments.number(epsilon, "epsilon"),
+        arguments.number(k, "k"),
+        arguments.number(growth, "growth"),
+        arguments.whole(levels, "levels", 1, 16),
+        arguments.threads(threads),
+        arguments.callback(progress),
+    )
+    return [
+        Level(in_world(points, origin), corners, its_epsilon, r_min, r_max, origin)
+        for points, corners, its_epsilon, r_min, r_max in chain
+    ]

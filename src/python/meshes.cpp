@@ -1,0 +1,78 @@
+// Mesh files and built-in scenes, and what cameras see of meshes.
+#include "python/meshes.h"
+
+#include <pybind11/stl.h>
+
+#include "python/bindings.h"
+#include "python/long_call.h"
+#include "scene/load.h"
+
+namespace lkao::python {
+
+scene::Mesh mesh_of(const py::array& positions, const py::array& triangles, const Triple& origin) {
+  const PositionView points = positions_of(positions, origin);
+  const IndexView corners = triangles_of(triangles);
+  scene::Mesh mesh;
+  mesh.origin = points.origin();
+  mesh.positions.reserve(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) mesh.positions.push_back(points[i]);
+  mesh.triangles.reserve(corners.size());
+  for (std::size_t t = 0; t < corners.size(); ++t) {
+    for (int corner = 0; corner < 3; ++corner) {
+      const std::int64_t index = corners.index(t, corner);
+      if (index >= 0 && index < static_cast<std::int64_t>(points.size())) continue;
+      throw std::invalid_argument("triangle " + std::to_string(t) + " has the index " + std::to_string(index) +
+                                  ", but there are " + std::to_string(points.size()) + " positions");
+    }
+    mesh.triangles.push_back(corners[t]);
+  }
+  return mesh;
+}
+
+scene::Camera camera_of(const Triple& eye, const Triple& target, const Triple& up, float fov) {
+  return {.eye = glm::vec3(vector_of(eye)),
+          .target = glm::vec3(vector_of(target)),
+          .up = glm::vec3(vector_of(up)),
+          .fov = fov};
+}
+
+namespace {
+
+py::tuple load(const std::string& name) {
+  scene::Mesh mesh = [&] {
+    const py::gil_scoped_release unlocked;
+    return scene::load(name);
+  }();
+  return py::make_tuple(rows_of(std::move(mesh.positions)), rows_of(std::move(mesh.triangles)), triple_of(mesh.origin));
+}
+
+// Of every pixel, row by row from the top: positions less the origin, normals, geometric normals, depths.
+py::tuple view(const py::array& positions, const py::array& triangles, const Triple& origin, const Triple& eye,
+               const Triple& target, const Triple& up, float fov, int width, int height, bool smooth) {
+  const scene::Mesh mesh = mesh_of(positions, triangles, origin);
+  const scene::Camera camera = camera_of(eye, target, up, fov);
+  const scene::NormalSource source = smooth ? scene::NormalSource::smooth : scene::NormalSource::facet;
+  scene::ReceiverImage image = long_call(
+      0, py::none(), [&](const Progress&) { return scene::find_receivers(mesh, camera, width, height, source); });
+  std::vector<glm::vec3> points, normals, geometric_normals;
+  points.reserve(image.receivers.size());
+  normals.reserve(image.receivers.size());
+  geometric_normals.reserve(image.receivers.size());
+  for (const Receiver& receiver : image.receivers) {
+    points.push_back(receiver.position);
+    normals.push_back(receiver.normal);
+    geometric_normals.push_back(receiver.geometric_normal);
+  }
+  return py::make_tuple(rows_of(std::move(points)), rows_of(std::move(normals)), rows_of(std::move(geometric_normals)),
+                        row_of(std::move(image.depth)));
+}
+
+}  // namespace
+
+void bind_meshes(py::module_& module) {
+  module.def("load", &load, py::arg("name"));
+  module.def("view", &view, py::arg("positions"), py::arg("triangles"), py::arg("origin"), py::arg("eye"),
+             py::arg("target"), py::arg("up"), py::arg("fov"), py::arg("width"), py::arg("height"), py::arg("smooth"));
+}
+
+}  // namespace lkao::python
