@@ -1,9 +1,9 @@
 // raw_answers FILE: what C++ answers about the built-in atrium, as raw numbers for the tests of the Python package, one
 // array behind the other: positions, normals, geometric normals, occlusion, bent normals (float32), masks (uint64).
-#include <cstdio>
+#include <cstddef>
+#include <cstdint>
 #include <fstream>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "lkao/lkao.h"
