@@ -167,6 +167,7 @@ std::unique_ptr<scene::GltfFile> open_model(const BakeOptions& options) {
 
 std::vector<std::string> inputs_of(const BakeOptions& options, const scene::GltfFile* model) {
   std::vector<std::string> inputs = options.baking.parts.with_merged(options.baking.scene.inputs());
+  if (!options.texture.detailed.empty()) inputs.push_back(options.texture.detailed);
   for (std::string& path : model != nullptr ? model->neighbours() : std::vector<std::string>()) {
     inputs.push_back(std::move(path));
   }

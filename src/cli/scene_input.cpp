@@ -57,6 +57,11 @@ SceneInput load_scene(const SceneOptions& options) {
   return scene;
 }
 
+scene::Mesh load_beside(const std::string& file, SceneInput& scene) {
+  scene::Defects defects;
+  return usable_mesh(file, scene::open_mesh_file(file, {.origin = scene.mesh.origin}), defects, scene.notes);
+}
+
 void add_surroundings(SceneInput& scene, const SceneOptions& options, const glm::vec3& up, double radius) {
   if (options.ground) {
     scene.with_ground = scene.mesh;
@@ -65,9 +70,7 @@ void add_surroundings(SceneInput& scene, const SceneOptions& options, const glm:
   if (options.blockers.empty()) return;
   scene.with_blockers = scene.seen();
   for (const std::string& file : options.blockers) {
-    scene::Defects defects;
-    scene::append(*scene.with_blockers,
-                  usable_mesh(file, scene::open_mesh_file(file, {.origin = scene.mesh.origin}), defects, scene.notes));
+    scene::append(*scene.with_blockers, load_beside(file, scene));
   }
 }
 

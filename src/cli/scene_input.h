@@ -37,6 +37,9 @@ struct SceneInput {
 // that fails or leaves no triangle.
 SceneInput load_scene(const SceneOptions& options);
 
+// Another mesh file with the scene's origin, without bad triangles; what is to be said of it joins the scene's notes.
+scene::Mesh load_beside(const std::string& file, SceneInput& scene);
+
 // Adds the ground, for an AO radius of this length, and loads the blockers. Throws as load_scene does, and
 // std::invalid_argument where `up` is zero.
 void add_surroundings(SceneInput& scene, const SceneOptions& options, const glm::vec3& up, double radius);

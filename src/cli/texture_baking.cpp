@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "bake/cage.h"
 #include "cli/baking_steps.h"
 
 namespace lkao::cli {
@@ -59,6 +61,22 @@ scene::TextureWraps wraps_of(const MaterialBake& chosen, const scene::Contents& 
   return is_known ? contents.wraps[*chosen.material] : scene::TextureWraps{};
 }
 
+// Around the scene; what blocks is from now on the detailed mesh alone.
+class CageAround {
+ public:
+  CageAround(const TextureSettings& settings, SceneInput& scene)
+      : mesh_(scene.with_blockers.emplace(load_beside(settings.detailed, scene))),
+        normals_(mesh_, scene::usual_normals(mesh_)),
+        cage_(normals_, scene.mesh, settings.extrusion.in(scene::bounds_of(scene.mesh))) {}
+
+  const bake::Cage& cage() const { return cage_; }
+
+ private:
+  const scene::Mesh& mesh_;
+  scene::CornerNormals normals_;
+  bake::Cage cage_;
+};
+
 }  // namespace
 
 TextureBaking compute_texture_baking(const BakingOptions& options, const TextureSettings& settings,
@@ -67,6 +85,8 @@ TextureBaking compute_texture_baking(const BakingOptions& options, const Texture
   Baking& baking = result.baking;
   load_for_baking(options, baking, progress);
   result.materials = choose_materials(baking.scene, settings);
+  std::optional<CageAround> around;
+  if (!settings.detailed.empty()) around.emplace(settings, baking.scene);
   const Asker asker(options, baking, progress);
   const bake::Ask ask = [&](std::span<const Receiver> receivers, const QueryOutputs& outputs, std::uint64_t first) {
     asker.answer(receivers, outputs, first);
@@ -74,7 +94,8 @@ TextureBaking compute_texture_baking(const BakingOptions& options, const Texture
   const scene::CornerNormals normals(baking.scene.mesh, baking.normals);
   const Bounds occluders = scene::bounds_of(baking.scene.occluders());
   for (MaterialBake& chosen : result.materials) {
-    const bake::TextureOptions texture = settings.options(chosen.material, wraps_of(chosen, baking.scene.contents));
+    const bake::TextureOptions texture =
+        settings.options(chosen.material, wraps_of(chosen, baking.scene.contents), around ? &around->cage() : nullptr);
     const auto texel_count = static_cast<std::uint64_t>(texture.width) * static_cast<std::uint64_t>(texture.height);
     chosen.bake = bake::bake_texels(normals, occluders, texture, ask, {}, progress.watch(chosen.name, texel_count));
     progress.begin("finishing the map of " + chosen.name);

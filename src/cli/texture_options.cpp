@@ -1,5 +1,6 @@
 #include "cli/texture_options.h"
 
+#include <cmath>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -27,6 +28,12 @@ Size parse_texture_size(const std::string& text) {
     throw std::invalid_argument(fmt::format("at most {} texels a side, got '{}'", bake::kMaxTextureSize, text));
   }
   return size;
+}
+
+method::Radius parse_extrusion(const std::string& text) {
+  const method::Radius extrusion = method::parse_radius(text);
+  if (std::isinf(extrusion.value)) throw std::invalid_argument("expected a length or a percentage, got 'inf'");
+  return extrusion;
 }
 
 template <class Value, std::size_t kCount>
@@ -75,6 +82,19 @@ void add_map_options(CLI::App& app, CLI::Option* texture, TextureSettings& setti
                "Cast rays into the body: what is open then is how thick it is, with --falloff linear as a share of the "
                "radius")
       ->needs(texture);
+  CLI::Option* const detailed =
+      app.add_option(
+             "--detailed", settings.detailed,
+             "A mesh file in the scene's coordinates whose occlusion the map shows: the scene is its simple form, "
+             "and each of its points stands for the nearest of the detailed surface along the smooth normal")
+          ->type_name("FILE")
+          ->needs(texture);
+  for (const char* name : {"--ground", "--blockers", "--flip"}) detailed->excludes(app.get_option(name));
+  add_parsed(app, "--extrusion", settings.extrusion, parse_extrusion,
+             "How far the detailed surface may be from the scene's, inside or outside: a length, or a share of the "
+             "diagonal of the scene's box (default: 2%)")
+      ->type_name("LENGTH|P%")
+      ->needs(detailed);
   app.add_flag("--keep-seams", settings.keeps_seams, "Do not level both sides of the texture's seams")->needs(texture);
   add_parsed(app, "--strength", settings.strength, parse_non_negative_number,
              "Write STRENGTH x occlusion ^ CONTRAST: for taste; changes the data (default: 1)")
@@ -88,7 +108,7 @@ void add_map_options(CLI::App& app, CLI::Option* texture, TextureSettings& setti
 }  // namespace
 
 bake::TextureOptions TextureSettings::options(std::optional<std::uint32_t> chosen_material,
-                                              const scene::TextureWraps& wraps) const {
+                                              const scene::TextureWraps& wraps, const bake::Cage* cage) const {
   return {.width = size->width,
           .height = size->height,
           .wrap_u = wrap.value_or(wraps.u),
@@ -97,6 +117,7 @@ bake::TextureOptions TextureSettings::options(std::optional<std::uint32_t> chose
           .material = chosen_material,
           .grid = grid,
           .bent_normals = bent_normals,
+          .cage = cage,
           .inwards = thickness,
           .level_seams = !keeps_seams,
           .margin = margin};

@@ -7,6 +7,7 @@
 
 #include "bake/texture_options.h"
 #include "cli/parse.h"
+#include "method/radius.h"
 #include "scene/contents.h"
 
 namespace CLI {
@@ -27,12 +28,16 @@ struct TextureSettings {
   std::optional<int> margin;
   bake::BentNormals bent_normals = bake::BentNormals::none;
   bool thickness = false;
+  // A file whose occlusion the map shows, and how far from the scene's surface its own may be.
+  std::string detailed;
+  method::Radius extrusion{2, true};
   bool keeps_seams = false;
   // What is written is strength x occlusion ^ contrast.
   double strength = 1, contrast = 1;
 
   // Of one material's map, or of that of all.
-  bake::TextureOptions options(std::optional<std::uint32_t> chosen_material, const scene::TextureWraps& wraps) const;
+  bake::TextureOptions options(std::optional<std::uint32_t> chosen_material, const scene::TextureWraps& wraps,
+                               const bake::Cage* cage) const;
 };
 
 // All of them need --texture.

@@ -21,6 +21,7 @@ Json material_json(const MaterialBake& material) {
           {"texels", report.texel_count},
           {"covered_texels", report.covered_texel_count},
           {"empty_texels", report.empty_texel_count},
+          {"missed_points", report.missed_receiver_count},
           {"overlapping_texels", report.overlapping_texel_count},
           {"triangles_without_uvs", report.bare_triangle_count},
           {"flat_triangles", report.flat_triangle_count},
@@ -106,6 +107,8 @@ void report_texture_oddities(const TextureBaking& result) {
          " out of the texture, which does not repeat: not baked there");
     tell(report.wide_triangle_count, "triangle covers", "triangles cover",
          " the texture more than 64 times over: baked in part");
+    tell(report.missed_receiver_count, "point is", "points are",
+         " farther from the detailed surface than --extrusion: occlusion there is that of the scene's own surface");
     tell(report.empty_texel_count, "texel has", "texels have", " no receiver with a usable normal: filled from around");
   }
 }

@@ -97,6 +97,30 @@ TEST_F(Texture, BentNormals) {
   EXPECT_GE(image("ao.exr").channel("bent.Z"), 0);
 }
 
+// A flat square, whose detailed form has a pit: a box without a lid, half a unit deep.
+TEST_F(Texture, OfADetailedMesh) {
+  write_file("flat.obj", "v 0 0 0\nv 4 0 0\nv 4 0 4\nv 0 0 4\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 1/1 4/4 3/3 2/2\n");
+  std::string pit = "v 0 0 0\nv 4 0 0\nv 4 0 4\nv 0 0 4\nv 1 0 1\nv 3 0 1\nv 3 0 3\nv 1 0 3\n";
+  pit += "v 1 -.5 1\nv 3 -.5 1\nv 3 -.5 3\nv 1 -.5 3\nf 9 12 11 10\n";
+  for (const char* sides :
+       {"f 1 5 6 2\nf 5 9 10 6\n", "f 2 6 7 3\nf 6 10 11 7\n", "f 3 7 8 4\nf 7 11 12 8\n", "f 4 8 5 1\nf 8 12 9 5\n"}) {
+    pit += sides;
+  }
+  write_file("pit.obj", pit);
+  expect_success(bake("flat.obj", "ao.exr", {"--detailed", path("pit.obj"), "--extrusion", "0.6"}));
+  const image::Image map = image("ao.exr");
+  const auto visibility = [&](int x, int y) {
+    return map.pixels[static_cast<std::size_t>((y * 16 + x) * map.channel_count() + map.channel("visibility"))];
+  };
+  EXPECT_EQ(visibility(1, 8), 1) << "beside the pit";
+  EXPECT_NEAR(visibility(8, 8), 0.83, 0.03) << "in its middle";
+  EXPECT_LT(visibility(5, 5), 0.8) << "in its corner";
+  EXPECT_EQ(read_json("out.json")["materials"][0]["missed_points"], 0);
+  expect_rejected(bake("flat.obj", "ao.exr", {"--detailed", path("pit.obj"), "--ground"}), {"--ground"});
+  expect_rejected(bake("flat.obj", "ao.exr", {"--detailed", path("no.obj")}), {"no.obj"});
+  expect_rejected(bake("flat.obj", "ao.exr", {"--extrusion", "1"}), {"--detailed"});
+}
+
 TEST_F(Texture, StrengthAndContrastAreAskedFor) {
   write_file("floor.obj", kFloorAndWall);
   expect_success(bake("floor.obj", "a.exr"));
