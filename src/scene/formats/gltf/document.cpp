@@ -135,9 +135,9 @@ void Document::finish_own_buffer() {
 }
 
 void Document::finish_lists() {
-  for (auto& [name, values] : added_) {
+  for (const auto& [name, values] : added_) {
     if (const std::optional<JsonText::Place> list = text_.find(text_.root(), name)) {
-      for (std::string& value : values) text_.append(*list, std::move(value));
+      for (const std::string& value : values) text_.append(*list, value);
     } else {
       text_.set(text_.root(), name, joined(values, '[', ']'));
     }

@@ -104,17 +104,17 @@ std::string_view JsonText::text_of(Place value) const {
   return std::string_view(text_).substr(value, skip_value(text_, value) - value);
 }
 
-void JsonText::set(Place object, std::string_view key, std::string value) {
+void JsonText::set(Place object, std::string_view key, const std::string& value) {
   if (const std::optional<Place> member = find(object, key)) {
-    replacements_[*member] = std::move(value);
+    replacements_[*member] = value;
   } else {
     insert(object, to_json_string(key) + ':' + value);
   }
 }
 
-void JsonText::append(Place list, std::string value) { insert(list, std::move(value)); }
+void JsonText::append(Place list, const std::string& value) { insert(list, value); }
 
-void JsonText::insert(Place container, std::string value) {
+void JsonText::insert(Place container, const std::string& value) {
   std::string& insertion = insertions_[container];
   if (!insertion.empty() || !children(container).empty()) insertion += ',';
   insertion += value;

@@ -36,8 +36,8 @@ class JsonText {
   std::string_view text_of(Place value) const;
 
   // Changes, of each value once at most; `value` is JSON. None may be in what another puts away.
-  void set(Place object, std::string_view key, std::string value);  // in the place of the member, or as one more
-  void append(Place list, std::string value);                       // any number of times
+  void set(Place object, std::string_view key, const std::string& value);  // in the place of the member, or as one more
+  void append(Place list, const std::string& value);                       // any number of times
   void replace(Place value, std::string by) { replacements_[value] = std::move(by); }
 
   // The text with all changes.
@@ -51,7 +51,7 @@ class JsonText {
   };
 
   const std::vector<Child>& children(Place container) const;
-  void insert(Place container, std::string value);
+  void insert(Place container, const std::string& value);
 
   std::string text_;
   Place root_;

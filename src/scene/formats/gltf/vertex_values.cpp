@@ -39,7 +39,7 @@ struct Sums {
 
 // Of a node's blocks, the first at `begin`, those of its first instance; the others' follow in the same order.
 std::size_t group_count_of(std::span<const VertexBlock> blocks, std::size_t begin) {
-  std::size_t end = begin;
+  std::size_t end = begin + 1;
   while (end < blocks.size() && blocks[end].node == blocks[begin].node &&
          blocks[end].instance == blocks[begin].instance) {
     ++end;
