@@ -12,6 +12,7 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -29,7 +30,8 @@ namespace py = pybind11;
 using Triple = std::array<double, 3>;
 
 inline glm::dvec3 vector_of(const Triple& triple) { return {triple[0], triple[1], triple[2]}; }
-inline Triple triple_of(const glm::dvec3& vector) { return {vector.x, vector.y, vector.z}; }
+// A tuple of Python.
+inline std::tuple<double, double, double> triple_of(const glm::dvec3& vector) { return {vector.x, vector.y, vector.z}; }
 
 inline void require(bool is_right, const char* what) {
   if (!is_right) throw std::invalid_argument(what);

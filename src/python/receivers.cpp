@@ -39,7 +39,7 @@ void bind_receivers(py::module_& module) {
                     std::optional<py::array>, const Triple&>(),
            py::arg("positions"), py::arg("normals"), py::arg("geometric_normals"), py::arg("excluded"),
            py::arg("instances"), py::arg("groups"), py::arg("origin"));
-  py::class_<QueryReport>(module, "QueryReport")
+  py::class_<QueryReport>(module, "QueryReport", "How many rays a batch cast, and how many were blocked.")
       .def_readonly("receiver_count", &QueryReport::receiver_count)
       .def_readonly("invalid_receiver_count", &QueryReport::invalid_receiver_count)
       .def_readonly("ray_count", &QueryReport::ray_count)

@@ -83,13 +83,13 @@ void move(OccluderScene& scene, const py::array& numbers, const py::array& to_wo
   scene.move(moves);
 }
 
-std::pair<Triple, Triple> bounds_of(const OccluderScene& scene) {
+py::tuple bounds_of(const OccluderScene& scene) {
   const Bounds& bounds = scene.bounds();
-  return {triple_of(bounds.lower), triple_of(bounds.upper)};
+  return py::make_tuple(triple_of(bounds.lower), triple_of(bounds.upper));
 }
 
 void bind_report(py::module_& module) {
-  py::class_<BuildReport>(module, "BuildReport")
+  py::class_<BuildReport>(module, "BuildReport", "What a build found and made; counts, bytes and seconds.")
       .def_readonly("triangle_count", &BuildReport::triangle_count)
       .def_readonly("occluder_count", &BuildReport::occluder_count)
       .def_readonly("zero_area_count", &BuildReport::zero_area_count)

@@ -106,7 +106,7 @@ def test_empty_arrays():
     empty = lkao.Scene(np.zeros((0, 3)), np.zeros((0, 3), int))
     assert empty.occluder_count == 0
     assert (lkao.AmbientOcclusion(empty, radius=1.0).query(P, N).occlusion == 0).all()
-    assert (lkao.occlusion(V, [], P, N, radius=1.0) == 0).all()
+    assert (lkao.occlusion(V, np.zeros((0, 3), int), P, N, radius=1.0) == 0).all()
 
 
 class Stub:
@@ -175,7 +175,7 @@ BAD = {
     "affine": (lambda: lkao.Scene.of_instances([SCENE], np.ones((1, 4, 4))), ValueError, "to_world must be affine"),
     "mesh": (lambda: lkao.Scene.of_instances([SCENE], np.eye(4)[None], mesh=[1]), ValueError, "mesh must be from 0"),
     "meshes": (lambda: lkao.Scene.of_instances([V], np.eye(4)[None]), TypeError, "meshes must be Scenes"),
-    "singular": (lambda: lkao.Scene.of_instances([SCENE], np.zeros((1, 3, 4))), ValueError, "instance 0"),
+    "singular": (lambda: lkao.Scene.of_instances([SCENE], np.zeros((1, 3, 4))), ValueError, "to_world must be invertible"),
     "refit": (lambda: SCENE.refitted(V[:4]), ValueError, "4"),
     "bundle": (lambda: lkao.RayBundles(SCENE).blocked(P, N[0]), ValueError, "rays must have the shape"),
     "bundle of none": (lambda: lkao.RayBundles(SCENE).blocked(P, np.zeros((0, 3))), ValueError, "number of rays must"),
@@ -185,7 +185,7 @@ BAD = {
     "light position": (lambda: lkao.SoftShadows(SCENE, lkao.SphereLight((0, 1), 1)), ValueError, "position must have"),
     "sky": (lambda: lkao.SkyVisibility(SCENE, 1), ValueError, "samples must be from 2 to 2048, not 1"),
     "simplify": (lambda: lkao.simplify(V, F), TypeError, "either radius or epsilon"),
-    "simplify k": (lambda: lkao.simplify(V, F, radius=1, k=-1), ValueError, "k "),
+    "simplify k": (lambda: lkao.simplify(V, F, radius=1, k=-1), ValueError, "k: .* -1"),
     "epsilon": (lambda: lkao.simplify(V, F, epsilon=0), ValueError, "epsilon must be above 0"),
     "per": (lambda: lkao.bake(V, F, radius=1, per="edge"), ValueError, "per must be one of 'vertex', 'corner', 'face'"),
     "filter": (lambda: lkao.bake(V, F, radius=1, filter="x"), ValueError, "filter must be one of"),

@@ -125,3 +125,10 @@ def test_pattern_is_what_it_says():
     assert steep < flat
     own = lkao.Pattern.from_disk([[0, 0], [0.5, 0]], [1, 0.5])
     assert own.disk.tolist() == [[0, 0], [0.5, 0]] and own.lengths.tolist() == [1, 0.5]
+
+
+def test_origin_is_zero_where_floats_are_fine():
+    V, F = meshes.wall()
+    for positions in (V, V.astype("f8"), V.astype(int)):
+        assert lkao.Scene(positions, F).origin == (0.0, 0.0, 0.0)
+    assert lkao.Baking(V, F).P.dtype == np.float32

@@ -181,7 +181,7 @@ class Scene:
 
     @property
     def origin(self) -> Triple:
-        """What was taken away from positions."""
+        """What was taken away from positions before they became float32: zero for those of float32."""
         return self._scene.origin
 
     @property
