@@ -48,7 +48,7 @@ TextureBake bake_texels(const scene::CornerNormals& normals, const Bounds& occlu
 // Levels the seams, lets charts grow by the margin and floods the rest: once all texels are there.
 void finish_texture(const scene::CornerNormals& normals, const TextureOptions& options, TextureBake& bake);
 
-// Both. Adds to the memory some 500 bytes for each texel along a seam, and 2 for each texel (6 with bent normals).
+// Both. Adds to the memory some 1000 bytes for each texel along a seam, and 2 for each texel (6 with bent normals).
 TextureBake bake_texture(const scene::CornerNormals& normals, const Bounds& occluders, const TextureOptions& options,
                          const Ask& ask, const Progress& progress = {});
 
