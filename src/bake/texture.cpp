@@ -216,6 +216,10 @@ class TexelBaker {
   std::size_t texel_count_ = 0, done_ = 0;  // of the part
 };
 
+bool has_no_texel(const TextureMap& map) {
+  return std::all_of(map.coverage.begin(), map.coverage.end(), [](std::uint8_t coverage) { return coverage == 0; });
+}
+
 }  // namespace
 
 TextureBake bake_texels(const scene::CornerNormals& normals, const Bounds& occluders, const TextureOptions& options,
@@ -244,6 +248,8 @@ void finish_texture(const scene::CornerNormals& normals, const TextureOptions& o
     grow(map, margin, options);
     flood(map);
   }
+  // A square that only the box around a triangle reaches.
+  if (options.udim) std::erase_if(bake.maps, has_no_texel);
 }
 
 TextureBake bake_texture(const scene::CornerNormals& normals, const Bounds& occluders, const TextureOptions& options,

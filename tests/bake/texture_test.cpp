@@ -263,6 +263,16 @@ TEST(Texture, UdimTilesAreBakedEach) {
   }
 }
 
+TEST(Texture, UdimTilesThatNothingReachesAreNone) {
+  Mesh mesh{{{0, 0, 0}, {0, 0, 1}, {1, 0, 0}}, {{0, 1, 2}}};
+  mesh.uvs = {{0.5f, -0.5f}, {0.5f, 0.4f}, {1.4f, -0.5f}};
+  mesh.uv_corners = {{0, 1, 2}};
+  std::vector<int> udims;
+  const TextureBake baked = bake_map(mesh, {.width = 16, .height = 16, .udim = true}, 64);
+  for (const TextureMap& map : baked.maps) udims.push_back(map.udim);
+  EXPECT_EQ(udims, (std::vector<int>{1001, 1011, 1012})) << "the fourth is in the box around the triangle alone";
+}
+
 // An open floor: straight up, in its own space whichever way the chart lies.
 TEST(Texture, BentNormalsOfAnOpenFloorPointUp) {
   for (const UvBox& box : {UvBox{{0, 0}, {1, 1}}, UvBox{{1, 0}, {0, 1}}}) {
