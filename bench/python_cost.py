@@ -18,7 +18,7 @@ import numpy as np
 import lkao
 
 RADIUS = 2.0
-RAY_COUNTS = (16, 128, 1024)
+RAY_COUNTS = (16, 128)
 
 
 def receivers(count):
