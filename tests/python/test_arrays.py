@@ -175,7 +175,7 @@ BAD = {
     "affine": (lambda: lkao.Scene.of_instances([SCENE], np.ones((1, 4, 4))), ValueError, "to_world must be affine"),
     "mesh": (lambda: lkao.Scene.of_instances([SCENE], np.eye(4)[None], mesh=[1]), ValueError, "mesh must be from 0"),
     "meshes": (lambda: lkao.Scene.of_instances([V], np.eye(4)[None]), TypeError, "meshes must be Scenes"),
-    "singular": (lambda: lkao.Scene.of_instances([SCENE], np.zeros((1, 3, 4))), ValueError, "to_world must be invertible"),
+    "singular": (lambda: lkao.Scene.of_instances([SCENE], np.zeros((1, 3, 4))), ValueError, "must be invertible"),
     "refit": (lambda: SCENE.refitted(V[:4]), ValueError, "4"),
     "bundle": (lambda: lkao.RayBundles(SCENE).blocked(P, N[0]), ValueError, "rays must have the shape"),
     "bundle of none": (lambda: lkao.RayBundles(SCENE).blocked(P, np.zeros((0, 3))), ValueError, "number of rays must"),
