@@ -7,14 +7,12 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
+#include "cli/json_output.h"
 #include "lkao/version.h"
 
 namespace lkao::cli {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr const char* kFormat = "lkao part";
 constexpr std::size_t kLongestHeader = std::size_t{1} << 20;
