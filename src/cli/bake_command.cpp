@@ -175,15 +175,11 @@ std::vector<std::string> inputs_of(const BakeOptions& options, const scene::Gltf
 }
 
 void bake_part(BakeOptions options) {
-  PartOptions& parts = options.baking.parts;
-  OutputFiles outputs(options.baking.scene.inputs());
-  const JsonOutput json(options.common.json_path, outputs);
-  parts.writer = begin_part(parts, options.output, outputs);
-  ProgressBar progress(!options.common.quiet);
-  const method::Batch batch = options.texture.size
-                                  ? compute_texture_baking(options.baking, options.texture, progress).baking.batch
-                                  : compute_baking(options.baking, progress).batch;
-  end_part(parts, options.output, batch, options.common, json);
+  BakingOptions& baking = options.baking;
+  answer_part(baking.parts, options.output, options.common, inputs_of(options, nullptr), [&](ProgressBar& progress) {
+    return options.texture.size ? compute_texture_baking(baking, options.texture, progress).baking.batch
+                                : compute_baking(baking, progress).batch;
+  });
 }
 
 void bake_textures(const BakeOptions& options) {

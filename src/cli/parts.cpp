@@ -9,6 +9,7 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/json_output.h"
+#include "cli/output_files.h"
 #include "cli/parse.h"
 #include "cli/parsed_option.h"
 #include "cli/part_method.h"
@@ -80,15 +81,15 @@ std::unique_ptr<method::Method> open_method(const MethodOptions& method, const P
   return parts.writer ? record_part(std::move(opened), *parts.writer) : std::move(opened);
 }
 
-std::shared_ptr<PartWriter> begin_part(const PartOptions& parts, const std::string& output, OutputFiles& outputs) {
-  const std::string& path = outputs.claim(part_path(output, *parts.part));
-  return std::make_shared<PartWriter>(path, PartHeader{*parts.part, parts.arguments});
-}
-
-void end_part(const PartOptions& parts, const std::string& output, const method::Batch& batch,
-              const CommonOptions& common, const JsonOutput& json) {
-  parts.writer->close();
+void answer_part(PartOptions& parts, const std::string& output, const CommonOptions& common,
+                 std::vector<std::string> inputs, const std::function<method::Batch(ProgressBar&)>& compute) {
+  OutputFiles outputs(std::move(inputs));
+  const JsonOutput json(common.json_path, outputs);
   const std::string path = part_path(output, *parts.part);
+  parts.writer = std::make_shared<PartWriter>(outputs.claim(path), PartHeader{*parts.part, parts.arguments});
+  ProgressBar progress(!common.quiet);
+  const method::Batch batch = compute(progress);
+  parts.writer->close();
   json.write_and_commit({{"part", parts.part->number},
                          {"parts", parts.part->count},
                          {"rays", batch.ray_count},

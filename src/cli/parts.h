@@ -1,16 +1,16 @@
 // `--part K/N`, and what `lkao merge` makes of the files of all parts.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "cli/json_output.h"
 #include "cli/method_options.h"
 #include "cli/options.h"
-#include "cli/output_files.h"
 #include "cli/part_file.h"
+#include "cli/progress_bar.h"
 #include "method/batch.h"
 #include "method/method.h"
 
@@ -45,11 +45,9 @@ std::string part_path(const std::string& output, const Part& part);
 // The method, answering a part, or from parts, where that is asked for. The options must outlive it.
 std::unique_ptr<method::Method> open_method(const MethodOptions& method, const PartOptions& parts);
 
-// Claims the file of the part among the outputs, and begins it.
-std::shared_ptr<PartWriter> begin_part(const PartOptions& parts, const std::string& output, OutputFiles& outputs);
-
-// Ends a run that answered one part: its file, and the report.
-void end_part(const PartOptions& parts, const std::string& output, const method::Batch& batch,
-              const CommonOptions& common, const JsonOutput& json);
+// A run of one part, `compute`'s, whose options must be those that `parts` is of: its file, and the report. `inputs`
+// are what it reads.
+void answer_part(PartOptions& parts, const std::string& output, const CommonOptions& common,
+                 std::vector<std::string> inputs, const std::function<method::Batch(ProgressBar&)>& compute);
 
 }  // namespace lkao::cli

@@ -160,12 +160,9 @@ void report_oddities(const Rendering& result) {
 }
 
 void render_part(RenderOptions options) {
-  PartOptions& parts = options.rendering.parts;
-  OutputFiles outputs(options.rendering.scene.inputs());
-  const JsonOutput json(options.common.json_path, outputs);
-  parts.writer = begin_part(parts, options.output, outputs);
-  ProgressBar progress(!options.common.quiet);
-  end_part(parts, options.output, compute_rendering(options.rendering, progress).batch, options.common, json);
+  RenderingOptions& rendering = options.rendering;
+  answer_part(rendering.parts, options.output, options.common, rendering.scene.inputs(),
+              [&](ProgressBar& progress) { return compute_rendering(rendering, progress).batch; });
 }
 
 void render(const RenderOptions& options) {
