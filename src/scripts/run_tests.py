@@ -135,9 +135,15 @@ class Process:
             self.left = list(waiting.values())
         elif waiting or (status != 0 and not self.failed):
             # It ended before its first test or between two, or, as after a leak, when all of them had passed.
-            names = [test.name for test in waiting.values()] or [f"{os.path.basename(first.program)} at its end"]
-            self.failed += names
+            at_end = f"{os.path.basename(first.program)} at its end: {self.reason(lines, status)}"
+            self.failed += [test.name for test in waiting.values()] or [at_end]
             self.output += lines + [f"exit status {status}\n"]
+
+    @staticmethod
+    def reason(lines, status):
+        """What a sanitizer says it was, for the list of failures: the output above it may be cut off."""
+        reports = [line.strip() for line in lines if "Sanitizer" in line]
+        return f"exit status {status}" + (f", {reports[-1]}" if reports else "")
 
     @staticmethod
     def timer(process, test):
