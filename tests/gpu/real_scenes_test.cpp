@@ -19,8 +19,9 @@
 namespace lkao::gl::tests {
 namespace {
 
-constexpr int kWidth = 128;
-constexpr int kHeight = 96;
+struct Size {
+  int width, height;
+};
 
 struct Scene {
   const char* name;
@@ -50,11 +51,11 @@ class RealScenes : public OnSoftware, public testing::WithParamInterface<Scene> 
     mesh_ = {std::move(mesh.positions), std::move(mesh.triangles)};
     const Scene& scene = GetParam();
     camera_ = {glm::lookAt(scene.eye, scene.target, glm::vec3(0, 1, 0)),
-               glm::perspective(1.12f, static_cast<float>(kWidth) / kHeight, scene.near, scene.far),
-               ClipDepth::minus_one_to_one};
-    g_buffer_ = std::make_unique<GBufferPass>(mesh_, camera_, kWidth, kHeight);
+               glm::perspective(1.12f, 4.0f / 3, scene.near, scene.far), ClipDepth::minus_one_to_one};
   }
   void TearDown() override { g_buffer_.reset(); }
+
+  void see_at(Size size) { g_buffer_ = std::make_unique<GBufferPass>(mesh_, camera_, size.width, size.height); }
 
   Mesh mesh_;
   Camera camera_;
@@ -72,6 +73,7 @@ std::vector<float> occlusion_of(const std::vector<std::uint64_t>& masks) {
 
 TEST_P(RealScenes, AreWhatTheQueryAnswers) {
   const PlaneMaskTable exact(SamplePattern::standard(128), {.resolution = 64});
+  see_at({128, 96});
   PassOnMesh pass = make_pass(mesh_, exact);
   const RayOptions options{.radius = GetParam().radius, .seed = 3};
   pass.draw(g_buffer_->by_positions(), camera_, options);
@@ -98,6 +100,7 @@ TEST_P(RealScenes, AreWhatTheQueryAnswers) {
 
 TEST_P(RealScenes, AreCulledAsInThePaper) {
   const PlaneMaskTable table(SamplePattern::standard(64), {.resolution = 32, .masks = PlaneMasks::nearest});
+  see_at({64, 48});
   PassOnMesh pass = make_pass(mesh_, table, {.count_fragments = true});
   const RayOptions options{.radius = GetParam().radius, .sidedness = Sidedness::one_sided};
   RasterOptions raster{.culls = {false, false, false, false, false}};
