@@ -47,9 +47,14 @@ elseif(LKAO_SANITIZE AND NOT LKAO_SANITIZE MATCHES "fuzzer")
 else()
   add_compile_definitions(HWY_DISABLED_TARGETS=HWY_SSSE3)
 endif()
-# For what reads options, once: a third of the time to compile CLI11 goes into making it fast.
+# For what reads options, once: a third of the time to compile CLI11 goes into making it fast, and under sanitizers more
+# than half of the time to compile anything.
 if(NOT MSVC)
   set(lkao_cold "$<$<NOT:$<CONFIG:Debug>>:-O1>")
+  if(LKAO_SANITIZE)
+    set(lkao_cold -O0)
+    set(lkao_cold_if_sanitized -O0)
+  endif()
 endif()
 if(LKAO_WERROR)
   set(CMAKE_COMPILE_WARNING_AS_ERROR ON)

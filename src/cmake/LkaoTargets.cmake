@@ -63,13 +63,16 @@ function(lkao_core_part NAME)
   endforeach()
 endfunction()
 
-# lkao_compile_together(TARGET [ALONE a.cpp ...])
-#   With LKAO_UNITY_BUILD, eight sources at a time are compiled as one: most of the time goes into what they include.
+# lkao_compile_together(TARGET [AT_A_TIME 8] [ALONE a.cpp ...])
+#   With LKAO_UNITY_BUILD, several sources at a time are compiled as one: most of the time goes into what they include.
 #   ALONE: those with a name in their unnamed namespace that another has too.
 function(lkao_compile_together TARGET)
-  cmake_parse_arguments(PARSE_ARGV 1 together "" "" "ALONE")
+  cmake_parse_arguments(PARSE_ARGV 1 together "" "AT_A_TIME" "ALONE")
+  if(NOT together_AT_A_TIME)
+    set(together_AT_A_TIME 8)
+  endif()
   if(LKAO_UNITY_BUILD)
-    set_target_properties(${TARGET} PROPERTIES UNITY_BUILD ON)
+    set_target_properties(${TARGET} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${together_AT_A_TIME})
     set_source_files_properties(${together_ALONE} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
   endif()
 endfunction()
@@ -116,23 +119,32 @@ function(lkao_compile_only)
   endforeach()
 endfunction()
 
+# Half of the time to compile a test goes into making its few instructions fast.
+set(lkao_test_options -O1 ${lkao_cold_if_sanitized})
+
 # lkao_test(NAME SOURCES a.cpp ... LINKS x ... [LABELS slow|tsan ...] [READS path ...] [COST seconds])
 #   A GoogleTest program lkao_test_NAME, each of its tests known to CTest. Tests with the label "slow" are left out
 #   under AddressSanitizer; those with "tsan" are what ThreadSanitizer runs (target lkao_tsan_tests; see tests/tsan).
 #   READS: the programs that the tests start, the files and folders that they read: `./run test` repeats tests that
-#   passed when one of these changes. STARTS_PROGRAM: they start `lkao`. COST: about how long they take, where that is
-#   long: these are run first.
+#   passed when one of these changes. COST: about how long they take, where that is long: these are run first. HOT: they
+#   compute much by themselves.
 function(lkao_test NAME)
-  cmake_parse_arguments(PARSE_ARGV 1 test "STARTS_PROGRAM" "COST" "SOURCES;LINKS;LABELS;READS")
+  cmake_parse_arguments(PARSE_ARGV 1 test "HOT" "COST" "SOURCES;LINKS;LABELS;READS")
   add_executable(lkao_test_${NAME} ${test_SOURCES})
   target_include_directories(lkao_test_${NAME} PRIVATE ${lkao_include_roots} "${PROJECT_SOURCE_DIR}/tests")
   target_compile_definitions(lkao_test_${NAME} PRIVATE "LKAO_SHARED_DIR=\"${LKAO_SHARED_DIR}\"")
   target_link_libraries(lkao_test_${NAME} PRIVATE ${test_LINKS} GTest::gmock GTest::gtest GTest::gtest_main)
-  # Half of the time to compile a test goes into making its few instructions fast.
-  target_compile_options(lkao_test_${NAME} PRIVATE -O1)
+  if(LKAO_SANITIZE AND test_HOT)
+    target_compile_options(lkao_test_${NAME} PRIVATE -O1)
+  else()
+    target_compile_options(lkao_test_${NAME} PRIVATE ${lkao_test_options})
+  endif()
   if(LKAO_SANITIZE AND "slow" IN_LIST test_LABELS)
     lkao_compile_only(lkao_test_${NAME})
     return()
+  endif()
+  if(NOT (LKAO_SANITIZE AND test_HOT))
+    lkao_precompile_as(lkao_test_${NAME} lkao_test_headers)
   endif()
   if(test_READS)
     list(JOIN test_READS "\n" reads)
@@ -154,8 +166,8 @@ function(lkao_test NAME)
          "TSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/tests/tsan/suppressions.txt")
     add_dependencies(lkao_tsan_tests lkao_test_${NAME})
   endif()
-  if(LKAO_SANITIZE MATCHES "address" AND test_STARTS_PROGRAM)
-    # Clang 14's leak check crashes in the variables of threads of a program with many libraries.
+  if(LKAO_SANITIZE MATCHES "address")
+    # Clang 14's leak check crashes, now and then, in the variables of threads of a program with many libraries.
     list(APPEND properties ENVIRONMENT
          "LSAN_OPTIONS=use_tls=0:print_suppressions=0:suppressions=${PROJECT_SOURCE_DIR}/tests/asan/leak_suppressions.txt")
   endif()

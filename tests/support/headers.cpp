@@ -1,0 +1,1 @@
+// Nothing: CMake precompiles headers for a source (lkao_test_headers).
