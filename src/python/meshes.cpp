@@ -1,10 +1,13 @@
 // Mesh files and built-in scenes, and what cameras see of meshes.
 #include "python/meshes.h"
 
+#include <limits>
+
 #include <pybind11/stl.h>
 
 #include "python/bindings.h"
 #include "python/long_call.h"
+#include "python/words.h"
 #include "scene/load.h"
 
 namespace lkao::python {
@@ -46,6 +49,40 @@ py::tuple load(const std::string& name) {
   return py::make_tuple(rows_of(std::move(mesh.positions)), rows_of(std::move(mesh.triangles)), triple_of(mesh.origin));
 }
 
+// Values of corners, (m, 3, ...), NaN where a corner has none.
+template <typename Value>
+py::object of_corners(const std::vector<Value>& values, const std::vector<glm::uvec3>& numbers, std::uint32_t none) {
+  if (numbers.empty()) return py::none();
+  std::vector<Value> result;
+  result.reserve(3 * numbers.size());
+  for (const glm::uvec3& corners : numbers) {
+    for (int i = 0; i < 3; ++i) {
+      result.push_back(corners[i] == none ? Value(std::numeric_limits<float>::quiet_NaN()) : values[corners[i]]);
+    }
+  }
+  return array_of<float>(std::move(result), {static_cast<py::ssize_t>(numbers.size()), 3, Value::length()});
+}
+
+// All that a file says of its surface: positions less the origin, triangles, the origin; normals and texture
+// coordinates of corners, materials of triangles, or None; their names and (u, v) wraps; remarks.
+py::tuple open_file(const std::string& name, int uv_set) {
+  scene::MeshFile file = [&] {
+    const py::gil_scoped_release unlocked;
+    return scene::open(name, {.uv_set = uv_set});
+  }();
+  scene::Mesh& mesh = file.mesh;
+  const py::object normals = of_corners(mesh.normals, mesh.normal_corners, scene::kNoNormal);
+  const py::object uvs = of_corners(mesh.uvs, mesh.uv_corners, scene::kNoUv);
+  py::object materials = py::none();
+  if (!mesh.materials.empty()) materials = row_of(std::move(mesh.materials));
+  py::list wraps;
+  for (const scene::TextureWraps& wrap : file.contents.wraps) {
+    wraps.append(py::make_tuple(word_of(kWraps, wrap.u), word_of(kWraps, wrap.v)));
+  }
+  return py::make_tuple(rows_of(std::move(mesh.positions)), rows_of(std::move(mesh.triangles)), triple_of(mesh.origin),
+                        normals, uvs, materials, file.contents.materials, wraps, file.contents.remarks);
+}
+
 // Of every pixel, row by row from the top: positions less the origin, normals, geometric normals, depths.
 py::tuple view(const py::array& positions, const py::array& triangles, const Triple& origin, const Triple& eye,
                const Triple& target, const Triple& up, float fov, int width, int height, bool smooth) {
@@ -71,6 +108,7 @@ py::tuple view(const py::array& positions, const py::array& triangles, const Tri
 
 void bind_meshes(py::module_& module) {
   module.def("load", &load, py::arg("name"));
+  module.def("open_file", &open_file, py::arg("name"), py::arg("uv_set"));
   module.def("view", &view, py::arg("positions"), py::arg("triangles"), py::arg("origin"), py::arg("eye"),
              py::arg("target"), py::arg("up"), py::arg("fov"), py::arg("width"), py::arg("height"), py::arg("smooth"));
 }

@@ -20,7 +20,9 @@ PYBIND11_MODULE(_lkao, module) {
   lkao::python::bind_lights(module);
   lkao::python::bind_meshes(module);
   lkao::python::bind_levels(module);
+  lkao::python::bind_surfaces(module);
   lkao::python::bind_baking(module);
+  lkao::python::bind_textures(module);
 #if LKAO_PYTHON_GL
   lkao::python::bind_gl(module);
 #endif

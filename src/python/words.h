@@ -9,6 +9,7 @@
 #include "lkao/plane_mask_table.h"
 #include "lkao/receiver.h"
 #include "lkao/weighting.h"
+#include "scene/contents.h"
 
 namespace lkao::python {
 
@@ -27,6 +28,9 @@ inline constexpr Word<PlaneMasks> kPlaneMasks[] = {{"must_may", PlaneMasks::must
                                                    {"nearest", PlaneMasks::nearest}};
 inline constexpr Word<PlaneAddressing> kAddressings[] = {{"slices", PlaneAddressing::slices},
                                                          {"cube", PlaneAddressing::cube}};
+inline constexpr Word<scene::TextureWrap> kWraps[] = {{"repeat", scene::TextureWrap::repeat},
+                                                      {"mirror", scene::TextureWrap::mirror},
+                                                      {"clamp", scene::TextureWrap::clamp}};
 
 // Throws std::invalid_argument naming the argument, the word and the known ones.
 template <typename Value, std::size_t Count>
@@ -37,6 +41,15 @@ Value value_of(const Word<Value> (&words)[Count], const std::string& word, const
     known += (known.empty() ? "'" : ", '") + std::string(candidate.word) + "'";
   }
   throw std::invalid_argument(std::string(argument) + " must be one of " + known + ", not '" + word + "'");
+}
+
+// Of a value that has one.
+template <typename Value, std::size_t Count>
+const char* word_of(const Word<Value> (&words)[Count], Value value) {
+  for (const Word<Value>& candidate : words) {
+    if (candidate.value == value) return candidate.word;
+  }
+  return "";
 }
 
 }  // namespace lkao::python

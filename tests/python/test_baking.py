@@ -63,6 +63,35 @@ def test_values_are_those_of_the_program(tmp_path, options, arguments):
     assert theirs.max() > 0.2 and np.nan_to_num(ours).tobytes() == theirs.tobytes()
 
 
+@pytest.mark.parametrize("filter", ["none", "least-squares"])
+def test_values_with_given_normals_are_those_of_the_program(tmp_path, filter):
+    V, F = meshes.grid(6)
+    V += 0.0
+    normals = np.random.default_rng(2).uniform([-1, 1, -1], [1, 3, 1], V.shape).astype(np.float32)
+    obj, ply = tmp_path / "mesh.obj", tmp_path / "baked.ply"
+    obj.write_text(
+        "".join(f"{word} {x!r} {y!r} {z!r}\n" for word, a in (("v", V), ("vn", normals)) for x, y, z in a.tolist())
+        + "".join("f " + " ".join(f"{i + 1}//{i + 1}" for i in corners) + "\n" for corners in F)
+    )
+    arguments = ["--radius", "0.5", "--samples", "64", "--filter", filter, "--quiet"]
+    subprocess.run([meshes.BUILD / "bin/lkao", "bake", obj, "-o", ply, *arguments], check=True)
+    theirs = values_in_ply(ply)
+    file = lkao.MeshFile(obj)
+    for given in (normals, normals[F], file.normals):
+        ours = lkao.bake(V, F, radius=0.5, samples=64, filter=filter, normals=given)
+        assert ours.tobytes() == theirs.tobytes()
+    assert (lkao.bake(V, F, radius=0.5, samples=64, filter=filter) != theirs).any() and theirs.max() > 0.1
+
+
+def test_corners_without_a_normal_are_smooth():
+    V, F = meshes.grid(6)
+    none = np.zeros((len(F), 3, 3))
+    none[::2] = np.nan
+    smooth = lkao.bake(V, F, radius=0.5, normals="smooth")
+    assert lkao.bake(V, F, radius=0.5, normals=none).tobytes() == smooth.tobytes()
+    assert (lkao.bake(V, F, radius=0.5) != smooth).any()
+
+
 def test_parts_have_the_bits_of_the_whole():
     V, F = meshes.wall()
     whole = lkao.bake(V, F, radius=3.0, samples=256, seed=9)

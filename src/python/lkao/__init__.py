@@ -22,9 +22,10 @@ from .baking import Baking, bake
 from .bundles import RayBundles
 from .gl import Rasterizer
 from .lights import DiscLight, LightAnswers, SkyAnswers, SkyVisibility, SoftShadows, SphereLight
-from .meshes import Level, Mesh, load, simplify
+from .meshes import Level, Mesh, MeshFile, load, simplify
 from .pattern import Pattern, PlaneMaskTable
 from .scene import Scene
+from .textures import TextureBake, TextureMap, TextureReport, bake_texture
 from .view import View
 
 __all__ = [
@@ -37,6 +38,7 @@ __all__ = [
     "Level",
     "LightAnswers",
     "Mesh",
+    "MeshFile",
     "Pattern",
     "PlaneMaskTable",
     "QueryReport",
@@ -47,9 +49,13 @@ __all__ = [
     "SkyVisibility",
     "SoftShadows",
     "SphereLight",
+    "TextureBake",
+    "TextureMap",
+    "TextureReport",
     "View",
     "__version__",
     "bake",
+    "bake_texture",
     "load",
     "occlusion",
     "simplify",

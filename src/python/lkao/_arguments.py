@@ -10,7 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 FLOAT_MAX = float(np.finfo(np.float32).max)
-NO_PRIMITIVE = 0xFFFFFFFF
+NONE_OF_THEM = 0xFFFFFFFF
 
 Array = npt.NDArray[Any]
 Floats = npt.NDArray[np.float32]
@@ -140,6 +140,14 @@ def packed(value: npt.ArrayLike, name: str, shape: Tuple[Optional[int], ...]) ->
     return np.ascontiguousarray(array, dtype=np.float32)
 
 
+def of_vertices_or_corners(value: npt.ArrayLike, name: str, width: int, n: int, m: int) -> Array:
+    """One row of so many numbers for each of n vertices, (n, width), or of 3 m corners, (m, 3, width); float64."""
+    array = numeric(value, name)
+    if array.shape not in ((n, width), (m, 3, width)):
+        raise ValueError(f"{name} must have the shape ({n}, {width}) or ({m}, 3, {width}), not {array.shape}")
+    return np.ascontiguousarray(array, dtype=np.float64)
+
+
 def numbers(
     value: Union[npt.ArrayLike, None], name: str, shape: Tuple[int, ...], most: int = 2**32 - 1
 ) -> Optional[npt.NDArray[np.uint32]]:
@@ -153,6 +161,16 @@ def numbers(
     if bad.any():
         raise ValueError(f"{name} must be from 0 to {most}, not {array[bad].flat[0]}")
     return np.broadcast_to(array.astype(np.uint32), shape).reshape(-1)
+
+
+def numbers_or_none(
+    value: Optional[npt.ArrayLike], name: str, shape: Tuple[int, ...]
+) -> Optional[npt.NDArray[np.uint32]]:
+    """As numbers(); -1 is none of them."""
+    if value is None:
+        return None
+    array = numeric(value, name, "iu", "integers")
+    return numbers(np.where(array == -1, NONE_OF_THEM, array.astype(np.int64)), name, shape)
 
 
 def required(array: Optional[npt.NDArray[np.uint32]]) -> npt.NDArray[np.uint32]:

@@ -1,6 +1,6 @@
 """The extension module: private. The package around it checks what users pass, and says what it means."""
 
-from typing import Any, Callable, List, Optional, Tuple
+from typing import Any, Callable, Dict, List, Optional, Tuple
 
 import numpy as np
 import numpy.typing as npt
@@ -17,6 +17,19 @@ version: str
 def active_isa() -> str: ...
 def choose_origin(positions: _Array) -> _Triple: ...
 def load(name: str) -> Tuple[_Floats, npt.NDArray[np.uint32], _Triple]: ...
+def open_file(
+    name: str, uv_set: int
+) -> Tuple[
+    _Floats,
+    npt.NDArray[np.uint32],
+    _Triple,
+    Optional[_Floats],
+    Optional[_Floats],
+    Optional[npt.NDArray[np.uint32]],
+    List[str],
+    List[Tuple[str, str]],
+    List[str],
+]: ...
 def view(
     positions: _Array,
     triangles: _Array,
@@ -41,6 +54,16 @@ def simplify(
     thread_count: int,
     progress: _Progress,
 ) -> List[Tuple[_Floats, npt.NDArray[np.uint32], float, float, float]]: ...
+def bake_texture(
+    query: AmbientOcclusion,
+    surface: Surface,
+    occluders: Tuple[_Triple, _Triple],
+    options: TextureOptions,
+    detailed: Optional[Surface],
+    extrusion: float,
+    thread_count: int,
+    progress: _Progress,
+) -> Tuple[List[Tuple[int, _Floats, Optional[_Floats], npt.NDArray[np.uint8]]], Dict[str, Any]]: ...
 
 class Cancelled(RuntimeError): ...
 
@@ -268,21 +291,42 @@ class SkyVisibility:
         progress: _Progress,
     ) -> QueryReport: ...
 
-class Baking:
+class Surface:
     def __init__(
         self,
         positions: _Array,
         triangles: _Array,
         origin: _Triple,
-        per: str,
-        least_squares: bool,
         normals: str,
-        occluders: Optional[Tuple[_Triple, _Triple]],
+        given_normals: Optional[_Floats],
+        uvs: Optional[_Floats],
+        materials: Optional[npt.NDArray[np.uint32]],
+    ) -> None: ...
+
+class Baking:
+    def __init__(
+        self, surface: Surface, per: str, least_squares: bool, occluders: Optional[Tuple[_Triple, _Triple]]
     ) -> None: ...
     @property
     def receiver_count(self) -> int: ...
     def receivers(self) -> Tuple[_Floats, _Floats, _Floats]: ...
     def values(self, occlusion: _Floats) -> _Floats: ...
+
+class TextureOptions:
+    def __init__(
+        self,
+        width: int,
+        height: int,
+        wrap_u: str,
+        wrap_v: str,
+        udim: bool,
+        material: Optional[int],
+        grid: int,
+        bent_normals: Optional[str],
+        thickness: bool,
+        level_seams: bool,
+        margin: Optional[int],
+    ) -> None: ...
 
 class Rasterizer:
     """Only where lkao is built with OpenGL."""

@@ -14,6 +14,7 @@ from .ambient_occlusion import AmbientOcclusion
 from .meshes import in_world
 from .pattern import Pattern
 from .scene import Progress, Scene, positions_and_origin
+from .surface import Normals, surface_of
 
 _FILTERS = ("none", "least-squares")
 
@@ -26,7 +27,9 @@ class Baking:
 
     per: "vertex"; "corner", of triangles, where vertices differ along creases; or "face".
     filter: "none", the occlusion at the vertex; or "least-squares", what fits all of the faces best, for coarse meshes.
-    normals: "facet" or "smooth".
+    normals: "facet", each triangle's own; "smooth", averaged around each position; or an array: (n, 3), one a vertex,
+        or (m, 3, 3), one a corner, of any length, such as those of a MeshFile. Where they are zero or NaN a corner is
+        smooth. They also say what is in front of a triangle. No ray goes below the triangle's own horizon.
     scene: what blocks, in the coordinates of V; the mesh itself where it is not given.
 
     P, N, geometric_normals: (k, 3), the receivers.
@@ -39,19 +42,17 @@ class Baking:
         *,
         per: str = "vertex",
         filter: str = "none",
-        normals: str = "facet",
+        normals: Normals = "facet",
         scene: Optional[Scene] = None,
     ) -> None:
         if filter not in _FILTERS:
             raise ValueError(f"filter must be one of 'none', 'least-squares', not {filter!r}")
         positions, origin = positions_and_origin(V, None if scene is None else scene.origin)
+        surface = surface_of(positions, arguments.triangles(F, len(positions)), origin, normals)
         self._baking = _lkao.Baking(
-            positions,
-            arguments.triangles(F, len(positions)),
-            origin,
+            surface,
             arguments.word(per, "per"),
             filter == "least-squares",
-            arguments.word(normals, "normals"),
             None if scene is None else scene._scene.bounds,
         )
         points, self.N, self.geometric_normals = self._baking.receivers()
@@ -71,7 +72,7 @@ def bake(
     samples: Union[int, Pattern] = 128,
     per: str = "vertex",
     filter: str = "none",
-    normals: str = "facet",
+    normals: Normals = "facet",
     scene: Optional[Scene] = None,
     sided: str = "two",
     seed: int = 0,

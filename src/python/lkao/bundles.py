@@ -57,7 +57,7 @@ class RayBundles:
             points.reshape(-1, 3),
             packed,
             self._origin,
-            arguments.NO_PRIMITIVE if excluded == -1 else arguments.whole(excluded, "excluded", 0, 2**32 - 1),
+            arguments.NONE_OF_THEM if excluded == -1 else arguments.whole(excluded, "excluded", 0, 2**32 - 1),
             arguments.whole(excluded_instance, "excluded_instance", 0, 2**32 - 1),
             masks,
             arguments.seed(first_index, "first_index"),

@@ -36,6 +36,33 @@ def load(name: Union[str, "os.PathLike[str]"]) -> Mesh:
     return Mesh(in_world(positions, origin), triangles)
 
 
+class MeshFile:
+    """All that a file says of a surface, for bake and bake_texture.
+
+    name: as of load. uv_set: which of its texture coordinates.
+
+    V, F: as of load. origin: what the program takes away from positions: Scene(V, F, origin=origin) has its bits.
+    normals: (m, 3, 3), of the corners of triangles, unit vectors, NaN where there is none; or None.
+    UV: (m, 3, 2), texture coordinates of corners, (0, 0) in the lower left corner of the picture; NaN where there is
+        none; or None.
+    materials: (m,), numbers in material_names, -1 where there is none; or None.
+    wraps: of each material the words for bake_texture's wrap, as a pair; only of glTF.
+    remarks: lines on what the file says, is not obeyed, and changes occlusion.
+
+    Raises RuntimeError naming the file and the fault.
+    """
+
+    def __init__(self, name: Union[str, "os.PathLike[str]"], *, uv_set: int = 0) -> None:
+        found = _lkao.open_file(os.fspath(name), arguments.whole(uv_set, "uv_set", 0, 63))
+        points, self.F, self.origin, self.normals, uvs, materials = found[:6]
+        self.material_names, self.wraps, self.remarks = found[6:]
+        self.V: Array = in_world(points, self.origin)
+        self.UV: Optional[npt.NDArray[np.float64]] = None
+        if uvs is not None:
+            self.UV = np.stack([uvs[..., 0], 1 - uvs[..., 1].astype(np.float64)], -1)
+        self.materials: Optional[npt.NDArray[np.int32]] = None if materials is None else materials.view(np.int32)
+
+
 @dataclass(frozen=True)
 class Level:
     """A mesh for the distances r_min to r_max along a ray, within epsilon of the original."""

@@ -22,14 +22,6 @@ def vectors(value: npt.ArrayLike, name: str, shape: Shape) -> Array:
     return np.broadcast_to(array, shape).reshape(-1, 3)
 
 
-def excluded_numbers(value: Optional[npt.ArrayLike], shape: Shape) -> Optional[npt.NDArray[np.uint32]]:
-    """As arguments.numbers; -1 excludes none."""
-    if value is None:
-        return None
-    array = arguments.numeric(value, "excluded", "iu", "integers")
-    return arguments.numbers(np.where(array == -1, arguments.NO_PRIMITIVE, array.astype(np.int64)), "excluded", shape)
-
-
 def receivers_of(
     P: npt.ArrayLike,
     N: npt.ArrayLike,
@@ -46,7 +38,7 @@ def receivers_of(
         points.reshape(-1, 3),
         vectors(N, "N", points.shape),
         None if geometric_normals is None else vectors(geometric_normals, "geometric_normals", points.shape),
-        excluded_numbers(excluded, shape),
+        arguments.numbers_or_none(excluded, "excluded", shape),
         arguments.numbers(excluded_instances, "excluded_instances", shape),
         arguments.numbers(groups, "groups", shape),
         origin,

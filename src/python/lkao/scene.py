@@ -16,9 +16,11 @@ NO_ORIGIN: Triple = (0.0, 0.0, 0.0)
 Progress = Callable[[int, int], Any]
 
 
-def positions_and_origin(V: npt.ArrayLike, origin: Optional[npt.ArrayLike]) -> Tuple[Array, Triple]:
+def positions_and_origin(
+    V: npt.ArrayLike, origin: Optional[npt.ArrayLike], name: str = "V"
+) -> Tuple[Array, Triple]:
     """Positions as the library takes them, and what it takes away from 64-bit ones."""
-    array = arguments.positions(V)
+    array = arguments.positions(V, name)
     if origin is None:
         return array, (_lkao.choose_origin(array) if array.dtype == np.float64 else NO_ORIGIN)
     its_origin = arguments.triple(origin, "origin")

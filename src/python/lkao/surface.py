@@ -1,0 +1,37 @@
+"""What is baked: a mesh with its normals, texture coordinates and materials."""
+
+from __future__ import annotations
+
+from typing import Optional, Union
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _arguments as arguments
+from . import _lkao
+from ._arguments import Array, Floats, Triple
+
+NORMALS = ("facet", "smooth")
+Normals = Union[str, npt.ArrayLike]
+
+
+def surface_of(
+    positions: Array,
+    triangles: Array,
+    origin: Triple,
+    normals: Normals,
+    *,
+    name: str = "normals",
+    uvs: Optional[Floats] = None,
+    materials: Optional[npt.NDArray[np.uint32]] = None,
+) -> _lkao.Surface:
+    """`name`: what users call the normals."""
+    given = None
+    if isinstance(normals, str):
+        if normals not in NORMALS:
+            raise ValueError(f"{name} must be one of 'facet', 'smooth' or an array, not {normals!r}")
+        source = normals
+    else:
+        source = "file"
+        given = arguments.of_vertices_or_corners(normals, name, 3, len(positions), len(triangles)).astype(np.float32)
+    return _lkao.Surface(positions, triangles, origin, source, given, uvs, materials)

@@ -1,0 +1,287 @@
+"""Occlusion as textures of a mesh."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Optional, Tuple, Union
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _arguments as arguments
+from . import _lkao
+from ._arguments import Array, Floats, Triple
+from .ambient_occlusion import AmbientOcclusion
+from .pattern import Pattern
+from .scene import Progress, Scene, positions_and_origin
+from .surface import Normals, surface_of
+
+_ORIGINS = ("lower", "upper")
+_MOST_TEXELS = 32768  # a side
+
+
+@dataclass(frozen=True)
+class TextureMap:
+    """Values of texels, (height, width), row by row from the top as pictures have them.
+
+    udim: number of the UDIM tile; 0 where there are none.
+    occlusion: 0 to 1; NaN only in a map of which nothing is known.
+    bent_normals: (height, width, 3), unit vectors, mean directions of the rays that are not blocked; None where they
+        were not asked for.
+    coverage: uint8, what share of the texel triangles cover, in 255ths; where it is 0 the map is filled from around.
+    """
+
+    udim: int
+    occlusion: Floats
+    bent_normals: Optional[Floats]
+    coverage: npt.NDArray[np.uint8]
+
+    @property
+    def visibility(self) -> Floats:
+        """1 - occlusion."""
+        return 1 - self.occlusion
+
+
+@dataclass(frozen=True)
+class TextureReport:
+    """What was seen on the way. Triangles are those of the material."""
+
+    triangle_count: int
+    bare_triangle_count: int
+    """Without (finite) texture coordinates: not baked."""
+    flat_triangle_count: int
+    """Without area, in space or in the texture: not baked."""
+    mirrored_triangle_count: int
+    """Baked; the texture shows them the wrong way round."""
+    outside_triangle_count: int
+    """Not baked beyond a clamped edge, or beyond all UDIM tiles."""
+    wide_triangle_count: int
+    """Over more than 64 repeats: only the first 64 are baked."""
+    texel_count: int
+    """Of all maps."""
+    covered_texel_count: int
+    """Touched by triangles."""
+    overlapping_texel_count: int
+    """Wanted by several places of the surface at once: the first triangle has them."""
+    empty_texel_count: int
+    """Covered, but without a usable normal: filled from around."""
+    receiver_count: int
+    missed_receiver_count: int
+    """Farther from the detailed mesh than the extrusion: these are on the mesh itself."""
+    seam_count: int
+    """Edges of the surface where the texture is cut."""
+    worst_seam_before: float
+    """How much both sides of a seam differed at most."""
+    worst_seam_after: float
+    """... and still do."""
+
+
+@dataclass(frozen=True)
+class TextureBake:
+    """The maps, one, or one for each UDIM tile that the mesh reaches, by number; and what was seen on the way.
+
+    occlusion, visibility, bent_normals, coverage: those of the only map; ValueError where there are more.
+    """
+
+    maps: Tuple[TextureMap, ...]
+    report: TextureReport
+
+    @property
+    def map(self) -> TextureMap:
+        """The only one."""
+        if len(self.maps) != 1:
+            raise ValueError(f"there are {len(self.maps)} maps, of UDIM tiles: see maps")
+        return self.maps[0]
+
+    @property
+    def occlusion(self) -> Floats:
+        return self.map.occlusion
+
+    @property
+    def visibility(self) -> Floats:
+        return self.map.visibility
+
+    @property
+    def bent_normals(self) -> Optional[Floats]:
+        return self.map.bent_normals
+
+    @property
+    def coverage(self) -> npt.NDArray[np.uint8]:
+        return self.map.coverage
+
+
+def _uvs(UV: npt.ArrayLike, F_UV: Optional[npt.ArrayLike], origin: str, n: int, m: int) -> Floats:
+    """As the library has them: from the upper left corner."""
+    if origin not in _ORIGINS:
+        raise ValueError(f"uv_origin must be one of 'lower', 'upper', not {origin!r}")
+    if F_UV is None:
+        uvs = arguments.of_vertices_or_corners(UV, "UV", 2, n, m)
+    else:
+        uvs = _of_corners(UV, F_UV, m)
+    if origin == "lower":
+        uvs = np.stack([uvs[..., 0], 1 - uvs[..., 1]], -1)
+    return uvs.astype(np.float32)
+
+
+def _of_corners(UV: npt.ArrayLike, F_UV: npt.ArrayLike, m: int) -> Array:
+    """Rows of UV by their numbers; NaN where that is -1."""
+    rows = arguments.numeric(UV, "UV")
+    if rows.ndim != 2 or rows.shape[1] != 2:
+        raise ValueError(f"UV must have the shape (k, 2) where F_UV is given, not {rows.shape}")
+    corners = arguments.numeric(F_UV, "F_UV", "iu", "integers")
+    if corners.shape != (m, 3):
+        raise ValueError(f"F_UV must have the shape of F, ({m}, 3), not {corners.shape}")
+    bad = (corners < -1) | (corners >= len(rows))
+    if bad.any():
+        raise ValueError(f"F_UV must be from 0 to {len(rows) - 1}, the rows of UV, or -1, not {corners[bad].flat[0]}")
+    with_none = np.vstack([rows.astype(np.float64), np.full((1, 2), np.nan)])
+    result: Array = with_none[np.where(corners == -1, len(rows), corners.astype(np.int64))]
+    return result
+
+
+def _options(
+    width: int,
+    height: Optional[int],
+    wrap: Union[str, Tuple[str, str]],
+    udim: bool,
+    material: Optional[int],
+    grid: int,
+    bent_normals: Optional[str],
+    thickness: bool,
+    level_seams: bool,
+    margin: Optional[int],
+) -> _lkao.TextureOptions:
+    wraps = (wrap, wrap) if isinstance(wrap, str) else tuple(wrap)
+    if len(wraps) != 2:
+        raise ValueError(f"wrap must be a word, or one for u and one for v, not {wrap!r}")
+    columns = arguments.whole(width, "width", 1, _MOST_TEXELS)
+    number = None
+    if material is not None:
+        number = arguments.whole(material, "material", -1, arguments.NONE_OF_THEM) & arguments.NONE_OF_THEM
+    return _lkao.TextureOptions(
+        columns,
+        columns if height is None else arguments.whole(height, "height", 1, _MOST_TEXELS),
+        arguments.word(wraps[0], "wrap"),
+        arguments.word(wraps[1], "wrap"),
+        bool(udim),
+        number,
+        arguments.whole(grid, "grid", 1, 16),
+        None if bent_normals is None else arguments.word(bent_normals, "bent_normals"),
+        bool(thickness),
+        bool(level_seams),
+        None if margin is None else arguments.whole(margin, "margin", 0, _MOST_TEXELS),
+    )
+
+
+def _materials(
+    materials: Optional[npt.ArrayLike], material: Optional[int], m: int
+) -> Optional[npt.NDArray[np.uint32]]:
+    if material is not None and materials is None:
+        raise ValueError("material is one of materials, which must be given with it")
+    numbers = arguments.numbers_or_none(materials, "materials", (m,))
+    return None if numbers is None else np.ascontiguousarray(numbers)
+
+
+def _detailed(mesh: Tuple[npt.ArrayLike, npt.ArrayLike], normals: Normals, origin: Triple) -> _lkao.Surface:
+    if not isinstance(mesh, tuple) or len(mesh) != 2:
+        raise TypeError("detailed must be a tuple of positions and triangles, (V, F)")
+    positions, _ = positions_and_origin(mesh[0], origin, "V of detailed")
+    triangles = arguments.triangles(mesh[1], len(positions), "F of detailed")
+    return surface_of(positions, triangles, origin, normals, name="detailed_normals")
+
+
+def _extrusion(value: Optional[float], has_detailed: bool) -> float:
+    """0: the usual one."""
+    if value is None:
+        return 0.0
+    if not has_detailed:
+        raise ValueError("extrusion is for a detailed mesh, which must be given with it")
+    distance = arguments.number(value, "extrusion")
+    if not 0 < distance < float("inf"):
+        raise ValueError(f"extrusion must be above 0 and finite, not {distance}")
+    return distance
+
+
+def bake_texture(
+    V: npt.ArrayLike,
+    F: npt.ArrayLike,
+    UV: npt.ArrayLike,
+    F_UV: Optional[npt.ArrayLike] = None,
+    *,
+    radius: float,
+    width: int = 1024,
+    height: Optional[int] = None,
+    samples: Union[int, Pattern] = 128,
+    normals: Normals = "facet",
+    uv_origin: str = "lower",
+    wrap: Union[str, Tuple[str, str]] = "repeat",
+    udim: bool = False,
+    materials: Optional[npt.ArrayLike] = None,
+    material: Optional[int] = None,
+    grid: int = 1,
+    margin: Optional[int] = None,
+    level_seams: bool = True,
+    bent_normals: Optional[str] = None,
+    thickness: bool = False,
+    detailed: Optional[Tuple[npt.ArrayLike, npt.ArrayLike]] = None,
+    detailed_normals: Normals = "facet",
+    extrusion: Optional[float] = None,
+    scene: Optional[Scene] = None,
+    sided: str = "two",
+    seed: int = 0,
+    min_distance: float = 0.0,
+    threads: int = 0,
+    progress: Optional[Progress] = None,
+) -> TextureBake:
+    """Occlusion as a texture of a mesh, for the texture coordinates that it has; nothing is unwrapped.
+
+    V, F: see Scene.
+    UV: texture coordinates: (n, 2), one a vertex; (m, 3, 2), one a corner; or (k, 2) with F_UV, (m, 3): which of them
+        the corners have. A corner of NaN, or of -1 in F_UV, has none, and its triangle blocks but is not baked.
+    uv_origin: where in the picture (0, 0) is: "lower" left, as in OBJ files and most programs, or "upper" left, as in
+        glTF files. Rows of the maps run from the top in either case.
+    width, height: of the map in texels, 1 to 32768; height is the width where it is not given.
+    samples, radius and others that are not here: see AmbientOcclusion. scene: what blocks; see Baking.
+    normals: see Baking.
+    wrap: what lies outside of [0, 1]: "repeat", "mirror" or "clamp"; or a pair, for u and v.
+    udim: a map for each unit square of texture coordinates, instead of wrapping.
+    materials, material: (m,), integers, and the one whose triangles are baked; all by default. The others block.
+    grid: each texel has grid x grid receivers, 1 to 16.
+    margin: texels by which charts grow beyond their borders; by default enough for mip maps of 64 texels.
+    level_seams: whether both sides of the texture's cuts are made to show the same.
+    bent_normals: "object", in the space of V; or "tangent", as in a tangent-space normal map (x along u, y along v
+        upwards, those of glTF for a mesh without tangents).
+    thickness: rays are cast into the body: what is open then is how thick it is, with a Pattern of linear falloff as
+        a share of the radius.
+    detailed: (V, F) of another mesh in the same space whose occlusion the map shows: each point stands for what lies
+        nearest along the smooth normal within the distance `extrusion`, by default 2 % of the diagonal of the box
+        around V. It alone blocks, if no scene is given. detailed_normals: see normals.
+    progress: counts texels; see Scene. What follows them, levelling seams and filling gaps, cannot be stopped.
+
+    Memory: 5 bytes a texel, 17 with bent normals, and some 1000 for each along a seam that is levelled. Raises
+    ValueError and TypeError naming the argument, and ValueError where no triangle has texture coordinates.
+    """
+    options = _options(width, height, wrap, udim, material, grid, bent_normals, thickness, level_seams, margin)
+    distance = _extrusion(extrusion, detailed is not None)
+    positions, origin = positions_and_origin(V, None if scene is None else scene.origin)
+    triangles = arguments.triangles(F, len(positions))
+    n, m = len(positions), len(triangles)
+    uvs = _uvs(UV, F_UV, uv_origin, n, m)
+    surface = surface_of(
+        positions, triangles, origin, normals, uvs=uvs, materials=_materials(materials, material, m)
+    )
+    fine = None if detailed is None else _detailed(detailed, detailed_normals, origin)
+    if scene is None:
+        scene = Scene(*((V, F) if detailed is None else detailed), origin=origin, threads=threads)
+    query = AmbientOcclusion(scene, samples, radius=radius, sided=sided, seed=seed, min_distance=min_distance)
+    maps, report = _lkao.bake_texture(
+        query._query,
+        surface,
+        scene._scene.bounds,
+        options,
+        fine,
+        distance,
+        arguments.threads(threads),
+        arguments.callback(progress),
+    )
+    return TextureBake(tuple(TextureMap(*parts) for parts in maps), TextureReport(**report))
