@@ -35,11 +35,12 @@ OccluderScene refitted(const OccluderScene& scene, const py::array& positions, c
   });
 }
 
-// Rows of three times four numbers: what numpy calls (n, 3, 4).
+// What numpy calls (3, 4).
+struct Rows34 {
+  float rows[3][4];
+};
+
 std::vector<glm::mat4x3> transforms_of(const py::array& array) {
-  struct Rows34 {
-    float rows[3][4];
-  };
   const std::span<const Rows34> matrices = packed<Rows34, float>(array);
   std::vector<glm::mat4x3> transforms;
   transforms.reserve(matrices.size());
@@ -70,6 +71,23 @@ OccluderScene make_instances(const std::vector<OccluderScene>& meshes, const py:
   }
   return long_call(thread_count, py::none(),
                    [&](const Progress&) { return OccluderScene(std::move(hierarchies), instances); });
+}
+
+// As make_instances takes them: transforms (n, 3, 4), numbers of meshes, groups.
+py::tuple instances_of(const OccluderScene& scene) {
+  const std::size_t count = scene.instance_count();
+  std::vector<Rows34> matrices(count);
+  std::vector<std::uint32_t> numbers(count), groups(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const OccluderInstance instance = scene.instance(static_cast<std::uint32_t>(i));
+    for (int column = 0; column < 4; ++column) {
+      for (int row = 0; row < 3; ++row) matrices[i].rows[row][column] = instance.to_world[column][row];
+    }
+    numbers[i] = instance.mesh;
+    groups[i] = instance.groups;
+  }
+  return py::make_tuple(array_of<float>(std::move(matrices), {static_cast<py::ssize_t>(count), 3, 4}),
+                        row_of(std::move(numbers)), row_of(std::move(groups)));
 }
 
 // Keeps the interpreter's lock, so that no other thread of Python sees a scene that is being changed.
@@ -116,6 +134,7 @@ void bind_scenes(py::module_& module) {
                   py::arg("thread_count"), py::arg("progress"))
       .def_static("make_instances", &make_instances, py::arg("meshes"), py::arg("to_world"), py::arg("mesh_numbers"),
                   py::arg("groups"), py::arg("thread_count"))
+      .def("instances", &instances_of)
       .def("refitted", &refitted, py::arg("positions"), py::arg("origin"), py::arg("max_growth"),
            py::arg("thread_count"), py::arg("progress"))
       .def("move", &move, py::arg("numbers"), py::arg("to_world"))

@@ -1,6 +1,11 @@
 """Instances, motion, levels of detail, cut-outs."""
 
+import concurrent.futures
+import multiprocessing
+import pickle
+
 import numpy as np
+import pytest
 
 import lkao
 import meshes
@@ -57,6 +62,10 @@ def test_set_mesh_replaces_one():
     scene = lkao.Scene.of_instances([lkao.Scene(V, F)], [STAYS])
     scene.set_mesh(0, lkao.Scene(lower, F, copy=False))
     assert (masks_of(scene, surface_offset=0) == masks_of(lkao.Scene(lower, F), surface_offset=0)).all()
+    alone = lkao.Scene(V, F, copy=False)
+    alone.set_mesh(0, lkao.Scene(lower, F, copy=False))
+    for same in (alone, pickle.loads(pickle.dumps(alone))):
+        assert (masks_of(same, surface_offset=0) == masks_of(scene, surface_offset=0)).all()
 
 
 def test_refitted_scene_has_the_bits_of_a_new_one():
@@ -68,6 +77,64 @@ def test_refitted_scene_has_the_bits_of_a_new_one():
         assert (masks_of(refitted) == masks_of(lkao.Scene(moved, F))).all()
         assert (masks_of(refitted) != masks_of(scene)).any()
         assert refitted.report().growth >= 1
+
+
+def test_pickled_scene_has_the_bits_of_the_first():
+    V, F = meshes.grid(20)
+    half_open = np.linspace(0, 1, len(F))
+    far = V + np.array([5e6, 0, 0])
+    first = lkao.Scene(V, F, copy=False, opacities=half_open)
+    moved = lkao.Scene(V, F, copy=False, spatial_splits=False).refitted(V[:, ::-1])
+    for scene in (first, moved, lkao.Scene(far, F, copy=False)):
+        other = pickle.loads(pickle.dumps(scene))
+        assert other.origin == scene.origin and other.occluder_count == scene.occluder_count
+        points = P + scene.origin
+        masks = [lkao.AmbientOcclusion(s, 64, radius=2.0).query(points, N, masks=True).masks for s in (scene, other)]
+        assert (masks[0] == masks[1]).all() and masks[0].any()
+    half_open[:] = 0  # what was given is not what was kept
+    assert (masks_of(pickle.loads(pickle.dumps(first))) == masks_of(first)).all()
+
+
+def test_pickled_instances_stand_where_they_are_now():
+    V, F = meshes.wall()
+    parts = [lkao.Scene(V, F, copy=False), lkao.Scene(V * np.float32(0.5), F, copy=False)]
+    scene = lkao.Scene.of_instances(parts, [STAYS, STAYS, STAYS], mesh=[0, 1, 1], groups=[1, 2, 4])
+    scene.move([1], [TURNED])
+    scene.set_groups(2, 0)
+    scene.set_mesh(0, lkao.Scene(V * np.float32([1, 0.25, 1]), F, copy=False))
+    other = pickle.loads(pickle.dumps(scene))
+    assert (other.instance_count, other.occluder_count) == (3, 12)
+    assert (masks_of(other) == masks_of(scene)).all() and masks_of(scene).any()
+    scene.move([1], [STAYS])
+    assert (masks_of(other) != masks_of(scene)).any()
+    ao = lkao.AmbientOcclusion(other, 64, radius=2.0)
+    assert [ao.query(P, N, groups=groups).occlusion.any() for groups in (1, 2, 4)] == [True, True, False]
+
+
+def test_scene_goes_to_another_process():
+    V, F = meshes.wall()
+    scene = lkao.Scene(V, F, copy=False)
+    with concurrent.futures.ProcessPoolExecutor(1, multiprocessing.get_context("spawn")) as others:
+        there = others.submit(masks_of, scene).result(timeout=60)
+    assert (there == masks_of(scene)).all() and there.any()
+
+
+def test_scene_without_its_arrays_is_not_pickled():
+    V, F = meshes.wall()
+    for scene in (lkao.Scene(V, F), lkao.Scene.of_instances([lkao.Scene(V, F)], [STAYS])):
+        with pytest.raises(TypeError, match="cannot be pickled.* copy=False"):
+            pickle.dumps(scene)
+
+
+def test_one_instance_is_no_mesh():
+    V, F = meshes.wall()
+    scene = lkao.Scene.of_instances([lkao.Scene(V, F)], [TURNED])
+    with pytest.raises(ValueError, match="refitted is for a scene of one mesh"):
+        scene.refitted(V)
+    with pytest.raises(TypeError, match="meshes must be Scenes of one mesh each"):
+        lkao.Scene.of_instances([scene], [STAYS])
+    with pytest.raises(TypeError, match="mesh must be a Scene of one mesh"):
+        scene.set_mesh(0, scene)
 
 
 def test_report_counts_triangles():

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Callable, Optional, Sequence, Tuple
+from typing import Any, Callable, Dict, Optional, Sequence, Tuple
 
 import numpy as np
 import numpy.typing as npt
@@ -54,6 +54,9 @@ class Scene:
     threads: 0: all. progress: called as progress(done, total) some twenty times a second; stops the build by returning
         False, and then Cancelled is raised. What it raises comes out of here.
 
+    A scene made with copy=False, and one of instances of such, can be pickled: its arrays and settings are, and the
+    hierarchy is built anew on the other side, with the same bits.
+
     Built without the interpreter's lock. A scene may be asked from any number of threads. Raises ValueError and
     TypeError naming the argument. Triangles that block nothing are counted: see report.
     """
@@ -74,7 +77,14 @@ class Scene:
         positions, its_origin = positions_and_origin(V, origin)
         triangles = arguments.triangles(F, len(positions))
         shares = None if opacities is None else arguments.packed(opacities, "opacities", (len(triangles),))
+        # The arrays that the hierarchy refers to; of a scene of instances, its meshes.
         self._kept: Tuple[Any, ...] = () if copy else (positions, triangles)
+        # None of a scene of instances.
+        self._settings: Optional[Dict[str, Any]] = {
+            "spatial_splits": bool(spatial_splits),
+            "keep_zero_area": bool(keep_zero_area),
+            "opacities": None if copy or shares is None else shares.copy(),
+        }
         self._scene = _lkao.OccluderScene.make(
             positions,
             triangles,
@@ -106,12 +116,13 @@ class Scene:
         Raises ValueError naming the instance where a transform cannot be, and where meshes have different origins.
         """
         for part in meshes:
-            if not isinstance(part, Scene) or part._scene.instance_count != 1 or part._scene.mesh_count != 1:
+            if not isinstance(part, Scene) or part._settings is None:
                 raise TypeError("meshes must be Scenes of one mesh each")
         matrices = transforms(to_world)
         shape = (len(matrices),)
         result = cls.__new__(cls)
         result._kept = tuple(meshes)
+        result._settings = None
         result._scene = _lkao.OccluderScene.make_instances(
             [part._scene for part in meshes],
             matrices,
@@ -132,11 +143,12 @@ class Scene:
         """A scene of the same triangles where their corners have moved to, in a quarter of the time of a build. For a
         scene of one mesh; V has as many rows as it had. A hierarchy that would have grown by more than max_growth is
         built anew. This scene stays as it is."""
-        if self.instance_count != 1 or self._scene.mesh_count != 1:
+        if self._settings is None:
             raise ValueError("refitted is for a scene of one mesh: refit that, and give it to set_mesh")
         positions, _ = positions_and_origin(V, self.origin)
         result = Scene.__new__(Scene)
-        result._kept = (self._kept, positions) if self._kept else ()
+        result._kept = (positions, self._kept[1]) if self._kept else ()
+        result._settings = self._settings
         result._scene = self._scene.refitted(
             positions,
             self.origin,
@@ -161,8 +173,14 @@ class Scene:
 
     def set_mesh(self, number: int, mesh: Scene) -> None:
         """Another mesh in the place of one of a scene of instances, as one that was refitted."""
-        self._scene.set_mesh(arguments.whole(number, "number", 0, self._scene.mesh_count - 1), mesh._scene)
-        self._kept = (*self._kept, mesh)
+        place = arguments.whole(number, "number", 0, self._scene.mesh_count - 1)
+        if not isinstance(mesh, Scene) or mesh._settings is None:
+            raise TypeError("mesh must be a Scene of one mesh")
+        self._scene.set_mesh(place, mesh._scene)
+        if self._settings is None:
+            self._kept = (*self._kept[:place], mesh, *self._kept[place + 1 :])
+        else:
+            self._kept, self._settings = mesh._kept, mesh._settings
 
     def report(self, mesh: int = 0) -> BuildReport:
         """What the build of a mesh found and made: triangle_count, occluder_count, zero_area_count, ..."""
@@ -192,5 +210,20 @@ class Scene:
         lower, upper = self._scene.bounds
         return np.array(lower) + self.origin, np.array(upper) + self.origin
 
+    def __reduce__(self) -> Tuple[Any, ...]:
+        if self._settings is None:
+            return _made_of_instances, (self._kept, *self._scene.instances())
+        if not self._kept:
+            raise TypeError("this Scene cannot be pickled, as it has not kept V and F: make it with copy=False")
+        return _made_again, (*self._kept, self.origin, self._settings)
+
     def __repr__(self) -> str:
         return f"<lkao.Scene of {self.occluder_count} triangles>"
+
+
+def _made_again(V: Array, F: Array, origin: Triple, settings: Dict[str, Any]) -> Scene:
+    return Scene(V, F, copy=False, origin=origin, **settings)
+
+
+def _made_of_instances(meshes: Sequence[Scene], to_world: Array, mesh: Array, groups: Array) -> Scene:
+    return Scene.of_instances(meshes, to_world, mesh=mesh, groups=groups)
