@@ -160,6 +160,7 @@ def test_file_without_more_says_none(tmp_path):
     (tmp_path / "bare.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
     bare = lkao.MeshFile(tmp_path / "bare.obj")
     assert bare.normals is None and bare.UV is None and bare.wraps == [] and bare.remarks == []
+    assert lkao.bake(bare.V, bare.F, radius=1.0, normals=bare.normals).tolist() == [0, 0, 0]
     with pytest.raises(RuntimeError, match="nothing.obj"):
         lkao.MeshFile(tmp_path / "nothing.obj")
 

@@ -27,9 +27,9 @@ class Baking:
 
     per: "vertex"; "corner", of triangles, where vertices differ along creases; or "face".
     filter: "none", the occlusion at the vertex; or "least-squares", what fits all of the faces best, for coarse meshes.
-    normals: "facet", each triangle's own; "smooth", averaged around each position; or an array: (n, 3), one a vertex,
-        or (m, 3, 3), one a corner, of any length, such as those of a MeshFile. Where they are zero or NaN a corner is
-        smooth. They also say what is in front of a triangle. No ray goes below the triangle's own horizon.
+    normals: "facet" or None, each triangle's own; "smooth", averaged around each position; or an array: (n, 3), one a
+        vertex, or (m, 3, 3), one a corner, of any length, such as those of a MeshFile. Where they are zero or NaN a
+        corner is smooth. They also say what is in front of a triangle. No ray goes below the triangle's own horizon.
     scene: what blocks, in the coordinates of V; the mesh itself where it is not given.
 
     P, N, geometric_normals: (k, 3), the receivers.

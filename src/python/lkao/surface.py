@@ -12,7 +12,7 @@ from . import _lkao
 from ._arguments import Array, Floats, Triple
 
 NORMALS = ("facet", "smooth")
-Normals = Union[str, npt.ArrayLike]
+Normals = Union[str, npt.ArrayLike, None]
 
 
 def surface_of(
@@ -27,7 +27,9 @@ def surface_of(
 ) -> _lkao.Surface:
     """`name`: what users call the normals."""
     given = None
-    if isinstance(normals, str):
+    if normals is None:
+        source = "facet"
+    elif isinstance(normals, str):
         if normals not in NORMALS:
             raise ValueError(f"{name} must be one of 'facet', 'smooth' or an array, not {normals!r}")
         source = normals
