@@ -1,5 +1,5 @@
 # cpack -G DEB: liblkao0.1 and liblkao-gl0.1 (of a shared lkao), liblkao-c0 (the C interface), liblkao-dev, lkao
-# (the program); cpack -G TGZ: one archive. Configure with CMAKE_INSTALL_PREFIX=/usr, so that files get their places in
+# (the program), python3-lkao; cpack -G TGZ: one archive. Configure with CMAKE_INSTALL_PREFIX=/usr, so that files get their places in
 # Debian.
 
 set(lkao_abi "${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}")
@@ -74,6 +74,19 @@ set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
 if(TARGET lkao_cli)
   lkao_package(tools lkao "${PROJECT_DESCRIPTION}: the program" "${lkao_egl}" lkao_program)
   set(CPACK_DEBIAN_TOOLS_PACKAGE_SECTION graphics)
+endif()
+if(TARGET lkao_python)
+  # All of lkao that the extension module needs is inside of it. It is for this minor version of Python alone.
+  math(EXPR lkao_next_minor "${Python_VERSION_MINOR} + 1")
+  set(lkao_python_depends
+      "python3 (>= ${Python_VERSION_MAJOR}.${Python_VERSION_MINOR})"
+      "python3 (<< ${Python_VERSION_MAJOR}.${lkao_next_minor})" python3-numpy)
+  if(LKAO_BUILD_GL)
+    list(APPEND lkao_python_depends ${lkao_egl})
+  endif()
+  list(JOIN lkao_python_depends ", " lkao_python_depends)
+  lkao_package(python python3-lkao "${PROJECT_DESCRIPTION}: the Python package" "${lkao_python_depends}" lkao_python)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
 endif()
 
 include(CPack)
