@@ -31,10 +31,15 @@ class CMakeBuild(build_ext):
         if "LKAO_PYTHON_BUILD" not in os.environ:
             options = ["CMAKE_BUILD_TYPE=Release", f"Python_EXECUTABLE={sys.executable}", "LKAO_BUILD_PYTHON=ON"]
             options += ["LKAO_BUILD_C=OFF", "LKAO_BUILD_TESTS=OFF", "LKAO_BUILD_BENCH=OFF", "LKAO_INSTALL=OFF"]
+            options += ["LKAO_UNITY_BUILD=ON"]
             arguments = [argument for option in options for argument in ("-D", option)]
             more = shlex.split(os.environ.get("CMAKE_ARGS", ""))
             subprocess.run(["cmake", "-S", ROOT, "-B", build, *arguments, *more], check=True)
-        subprocess.run(["cmake", "--build", build, "--target", "lkao_python", "--parallel"], check=True)
+            if not (build / "src/python").exists():
+                sys.exit("lkao: its Python package needs python3-dev and pybind11-dev")
+        # Without a number, make starts all compilers at once, which no memory is enough for.
+        jobs = os.environ.get("CMAKE_BUILD_PARALLEL_LEVEL") or str(os.cpu_count() or 1)
+        subprocess.run(["cmake", "--build", build, "--target", "lkao_python", "--parallel", jobs], check=True)
         target = Path(self.get_ext_fullpath(extension.name))
         target.parent.mkdir(parents=True, exist_ok=True)
         for module in (build / "python/lkao").glob("_lkao*.so"):

@@ -141,11 +141,11 @@ def packed(value: npt.ArrayLike, name: str, shape: Tuple[Optional[int], ...]) ->
 
 
 def of_vertices_or_corners(value: npt.ArrayLike, name: str, width: int, n: int, m: int) -> Array:
-    """One row of so many numbers for each of n vertices, (n, width), or of 3 m corners, (m, 3, width); float64."""
+    """One row of so many numbers for each of n vertices, (n, width), or of 3 m corners, (m, 3, width)."""
     array = numeric(value, name)
     if array.shape not in ((n, width), (m, 3, width)):
         raise ValueError(f"{name} must have the shape ({n}, {width}) or ({m}, 3, {width}), not {array.shape}")
-    return np.ascontiguousarray(array, dtype=np.float64)
+    return array
 
 
 def numbers(

@@ -35,5 +35,6 @@ def surface_of(
         source = normals
     else:
         source = "file"
-        given = arguments.of_vertices_or_corners(normals, name, 3, len(positions), len(triangles)).astype(np.float32)
+        rows = arguments.of_vertices_or_corners(normals, name, 3, len(positions), len(triangles))
+        given = np.ascontiguousarray(rows, np.float32)
     return _lkao.Surface(positions, triangles, origin, source, given, uvs, materials)

@@ -44,36 +44,38 @@ class TextureMap:
 
 @dataclass(frozen=True)
 class TextureReport:
-    """What was seen on the way. Triangles are those of the material."""
+    """What was seen on the way. Triangles are those of the material.
+
+    triangle_count: all of them.
+    bare_triangle_count: without (finite) texture coordinates: not baked.
+    flat_triangle_count: without area, or not finite, in space or in the texture: not baked.
+    mirrored_triangle_count: baked; the texture shows them the wrong way round.
+    outside_triangle_count: baked but for parts beyond a clamped edge, or beyond all UDIM tiles.
+    wide_triangle_count: over more than 64 repeats: only the first 64 are baked.
+    texel_count: of all maps. covered_texel_count: touched by triangles.
+    overlapping_texel_count: wanted by several places of the surface at once; the first triangle has them.
+    empty_texel_count: covered, but without a usable normal: filled from around.
+    receiver_count: of all texels.
+    missed_receiver_count: farther from the detailed mesh than the extrusion: these are on the mesh itself.
+    seam_count: edges of the surface where the texture is cut; 0 where they are not levelled.
+    worst_seam_before, worst_seam_after: how much both sides of a seam differed at most, and still do.
+    """
 
     triangle_count: int
     bare_triangle_count: int
-    """Without (finite) texture coordinates: not baked."""
     flat_triangle_count: int
-    """Without area, in space or in the texture: not baked."""
     mirrored_triangle_count: int
-    """Baked; the texture shows them the wrong way round."""
     outside_triangle_count: int
-    """Not baked beyond a clamped edge, or beyond all UDIM tiles."""
     wide_triangle_count: int
-    """Over more than 64 repeats: only the first 64 are baked."""
     texel_count: int
-    """Of all maps."""
     covered_texel_count: int
-    """Touched by triangles."""
     overlapping_texel_count: int
-    """Wanted by several places of the surface at once: the first triangle has them."""
     empty_texel_count: int
-    """Covered, but without a usable normal: filled from around."""
     receiver_count: int
     missed_receiver_count: int
-    """Farther from the detailed mesh than the extrusion: these are on the mesh itself."""
     seam_count: int
-    """Edges of the surface where the texture is cut."""
     worst_seam_before: float
-    """How much both sides of a seam differed at most."""
     worst_seam_after: float
-    """... and still do."""
 
 
 @dataclass(frozen=True)
@@ -115,12 +117,12 @@ def _uvs(UV: npt.ArrayLike, F_UV: Optional[npt.ArrayLike], origin: str, n: int, 
     if origin not in _ORIGINS:
         raise ValueError(f"uv_origin must be one of 'lower', 'upper', not {origin!r}")
     if F_UV is None:
-        uvs = arguments.of_vertices_or_corners(UV, "UV", 2, n, m)
+        uvs = arguments.of_vertices_or_corners(UV, "UV", 2, n, m).astype(np.float64)
     else:
         uvs = _of_corners(UV, F_UV, m)
     if origin == "lower":
-        uvs = np.stack([uvs[..., 0], 1 - uvs[..., 1]], -1)
-    return uvs.astype(np.float32)
+        uvs[..., 1] = 1 - uvs[..., 1]
+    return np.ascontiguousarray(uvs, np.float32)
 
 
 def _of_corners(UV: npt.ArrayLike, F_UV: npt.ArrayLike, m: int) -> Array:
