@@ -63,6 +63,7 @@ class TexelBaker {
     for (int row = 0; row < row_count; ++row) {
       for (const Tile& tile : tiles_of(0, row)) texel_count_ += bake_.maps.size() * size_of(tile);
     }
+    tell();
     for (std::size_t map = 0; map < bake_.maps.size(); ++map) {
       for (int row = 0; row < row_count; ++row) run_row(map, row);
     }
@@ -169,6 +170,10 @@ class TexelBaker {
     bake_.report.receiver_count += receivers.size();
     bake_.report.missed_receiver_count += tile.receivers.missed_count;
     done_ += size_of(tile.coverage.tile);
+    tell();
+  }
+
+  void tell() const {
     if (progress_ && !progress_(done_, texel_count_)) throw Cancelled();
   }
 

@@ -35,7 +35,7 @@ struct TextureBake {
 
 // The values of texels: means over their receivers, weighted by area. A receiver's index is made of the texel's tile
 // and its number in there, so that parts, threads and the size of what is asked at once change no bit. `occluders`: the
-// box around all that blocks. `progress` counts texels.
+// box around all that blocks. `progress` counts texels, from 0 on.
 //
 // In memory are the maps (5 bytes a texel, 12 more with bent normals), and the receivers of up to 16 tiles of
 // 128 x 128 texels. In parallel, in the TBB arena of the caller, as far as `ask` is.

@@ -1,6 +1,7 @@
 """Textures: as the program bakes them, and what is said of them."""
 
 import json
+import pickle
 import subprocess
 
 import numpy as np
@@ -266,12 +267,53 @@ def test_progress_counts_texels_and_stops_the_bake():
     V, F = meshes.grid(4)
     UV = (V[:, [0, 2]] + 1) / 2
     lkao.bake_texture(V, F, UV, radius=1.0, width=256, height=130, samples=4, progress=lambda *now: told.append(now))
-    assert told[-1] == (256 * 130, 256 * 130) and told == sorted(told) and {total for _, total in told} == {33280}
+    assert told == sorted(told) and told[0] == (0, 33280) and told[-1] == (33280, 33280)
     with pytest.raises(lkao.Cancelled):
         lkao.bake_texture(V, F, UV, radius=1.0, samples=4, width=256, progress=lambda done, total: False)
-    # Long before the first tile of texels is there.
+
+
+def test_progress_is_asked_while_a_tile_takes_long():
+    told = []
+
+    def stop(done, total):
+        told.append(done)
+        if len(told) > 1:
+            raise KeyError("mine")
+
     with pytest.raises(KeyError, match="mine"):
-        lkao.bake_texture(V, F, UV, radius=1.0, samples=1024, width=128, grid=16, progress=lambda *now: {}["mine"])
+        lkao.bake_texture(FLOOR, QUADS, PLACES, CORNERS, radius=9.0, samples=1024, width=64, grid=16, progress=stop)
+    assert told == [0, 0]
+
+
+@pytest.mark.parametrize("options", [{"bent_normals": "object"}, {"udim": True}, {"level_seams": False, "margin": 0}])
+def test_parts_have_the_bits_of_the_whole(options):
+    V, F, UV, F_UV, normals, materials = curtain()
+    mesh, settings = (V, F, UV, F_UV), {"radius": 0.7, "samples": 8, "width": 260, "height": 130, **options}
+    whole = lkao.bake_texture(*mesh, **settings)
+    parts = [lkao.bake_texture(*mesh, part=(k, 3), **settings) for k in (2, 0, 1)]
+    assert [part.part for part in parts] == [(2, 3), (0, 3), (1, 3)]
+    for part in parts:
+        assert 0 < part.report.receiver_count < whole.report.receiver_count and np.isnan(part.maps[0].occlusion).any()
+    merged = lkao.bake_texture(*mesh, merge=[pickle.loads(pickle.dumps(part)) for part in parts], **settings)
+    assert merged.report == whole.report and merged.part is None and len(merged.maps) == len(whole.maps)
+    for ours, expected in zip(merged.maps, whole.maps):
+        assert ours.udim == expected.udim and ours.occlusion.tobytes() == expected.occlusion.tobytes()
+        assert (ours.coverage == expected.coverage).all()
+        assert (ours.bent_normals is None) == ("bent_normals" not in options)
+        assert ours.bent_normals is None or ours.bent_normals.tobytes() == expected.bent_normals.tobytes()
+    assert np.isnan(parts[0].maps[0].occlusion).any()  # these stay as they were
+    for wrong in (parts[:2], [*parts[:2], parts[1]], []):
+        with pytest.raises(ValueError, match="merge must be all parts of a bake, each once"):
+            lkao.bake_texture(*mesh, merge=wrong, **settings)
+    other_normals = None if "bent_normals" in options else "object"
+    for change in ({"width": 130, "height": 260}, {"udim": not options.get("udim")}, {"bent_normals": other_normals}):
+        with pytest.raises(ValueError, match="merge must be parts of a bake with the same mesh, size, udim and bent"):
+            lkao.bake_texture(*mesh, merge=parts, **{**settings, **change})
+    other = lkao.bake_texture(*mesh, part=(1, 3), **{**settings, "height": 65})
+    with pytest.raises(ValueError, match="merge must be parts of one bake"):
+        lkao.bake_texture(*mesh, merge=[*parts[:2], other], **settings)
+    with pytest.raises(TypeError, match="merge must be what bake_texture has returned for parts"):
+        lkao.bake_texture(*mesh, merge=[whole], **settings)
 
 
 FLAT = {"V": FLOOR, "F": QUADS, "UV": PLACES, "F_UV": CORNERS, **SETTINGS}
@@ -298,6 +340,8 @@ BAD = {
     "detailed F": ({"detailed": (FLOOR, QUADS + 3)}, ValueError, r"F of detailed\[\d, \d\] is \d"),
     "extrusion": ({"detailed": (FLOOR, QUADS), "extrusion": 0}, ValueError, "extrusion must be above 0 and finite"),
     "extrusion alone": ({"extrusion": 1.0}, ValueError, "extrusion is for a detailed mesh"),
+    "part": ({"part": 1}, TypeError, r"part must be a tuple .*\(k, n\)"),
+    "part range": ({"part": (3, 3)}, ValueError, "k of part must be from 0 to 2, not 3"),
     "radius": ({"radius": 0.0}, ValueError, "radius.* 0"),
 }
 

@@ -25,7 +25,8 @@ from .lights import DiscLight, LightAnswers, SkyAnswers, SkyVisibility, SoftShad
 from .meshes import Level, Mesh, MeshFile, load, simplify
 from .pattern import Pattern, PlaneMaskTable
 from .scene import Scene
-from .textures import TextureBake, TextureMap, TextureReport, bake_texture
+from .texture_maps import TextureBake, TextureMap, TextureReport
+from .textures import bake_texture
 from .view import View
 
 __all__ = [

@@ -10,6 +10,7 @@ _Floats = npt.NDArray[np.float32]
 _Words = npt.NDArray[np.uint64]
 _Triple = Tuple[float, float, float]
 _Progress = Optional[Callable[[int, int], Any]]
+_Map = Tuple[int, _Floats, Optional[_Floats], npt.NDArray[np.uint8]]
 _Rho = Optional[Callable[[float], float]]
 
 version: str
@@ -61,9 +62,13 @@ def bake_texture(
     options: TextureOptions,
     detailed: Optional[Surface],
     extrusion: float,
+    part: Optional[Tuple[int, int]],
     thread_count: int,
     progress: _Progress,
-) -> Tuple[List[Tuple[int, _Floats, Optional[_Floats], npt.NDArray[np.uint8]]], Dict[str, Any]]: ...
+) -> Tuple[List[_Map], Dict[str, Any]]: ...
+def finish_texture(
+    surface: Surface, options: TextureOptions, maps: List[_Map]
+) -> Tuple[List[_Map], Dict[str, Any]]: ...
 
 class Cancelled(RuntimeError): ...
 

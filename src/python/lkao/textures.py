@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import Optional, Tuple, Union
+from dataclasses import replace
+from typing import Optional, Sequence, Tuple, Union
 
 import numpy as np
 import numpy.typing as npt
@@ -15,101 +15,10 @@ from .ambient_occlusion import AmbientOcclusion
 from .pattern import Pattern
 from .scene import Progress, Scene, positions_and_origin
 from .surface import Normals, surface_of
+from .texture_maps import TextureBake, TextureMap, TextureReport, merged
 
 _ORIGINS = ("lower", "upper")
 _MOST_TEXELS = 32768  # a side
-
-
-@dataclass(frozen=True)
-class TextureMap:
-    """Values of texels, (height, width), row by row from the top as pictures have them.
-
-    udim: number of the UDIM tile; 0 where there are none.
-    occlusion: 0 to 1; NaN only in a map of which nothing is known.
-    bent_normals: (height, width, 3), unit vectors, mean directions of the rays that are not blocked; None where they
-        were not asked for.
-    coverage: uint8, what share of the texel triangles cover, in 255ths; where it is 0 the map is filled from around.
-    """
-
-    udim: int
-    occlusion: Floats
-    bent_normals: Optional[Floats]
-    coverage: npt.NDArray[np.uint8]
-
-    @property
-    def visibility(self) -> Floats:
-        """1 - occlusion."""
-        return 1 - self.occlusion
-
-
-@dataclass(frozen=True)
-class TextureReport:
-    """What was seen on the way. Triangles are those of the material.
-
-    triangle_count: all of them.
-    bare_triangle_count: without (finite) texture coordinates: not baked.
-    flat_triangle_count: without area, or not finite, in space or in the texture: not baked.
-    mirrored_triangle_count: baked; the texture shows them the wrong way round.
-    outside_triangle_count: baked but for parts beyond a clamped edge, or beyond all UDIM tiles.
-    wide_triangle_count: over more than 64 repeats: only the first 64 are baked.
-    texel_count: of all maps. covered_texel_count: touched by triangles.
-    overlapping_texel_count: wanted by several places of the surface at once; the first triangle has them.
-    empty_texel_count: covered, but without a usable normal: filled from around.
-    receiver_count: of all texels.
-    missed_receiver_count: farther from the detailed mesh than the extrusion: these are on the mesh itself.
-    seam_count: edges of the surface where the texture is cut; 0 where they are not levelled.
-    worst_seam_before, worst_seam_after: how much both sides of a seam differed at most, and still do.
-    """
-
-    triangle_count: int
-    bare_triangle_count: int
-    flat_triangle_count: int
-    mirrored_triangle_count: int
-    outside_triangle_count: int
-    wide_triangle_count: int
-    texel_count: int
-    covered_texel_count: int
-    overlapping_texel_count: int
-    empty_texel_count: int
-    receiver_count: int
-    missed_receiver_count: int
-    seam_count: int
-    worst_seam_before: float
-    worst_seam_after: float
-
-
-@dataclass(frozen=True)
-class TextureBake:
-    """The maps, one, or one for each UDIM tile that the mesh reaches, by number; and what was seen on the way.
-
-    occlusion, visibility, bent_normals, coverage: those of the only map; ValueError where there are more.
-    """
-
-    maps: Tuple[TextureMap, ...]
-    report: TextureReport
-
-    @property
-    def map(self) -> TextureMap:
-        """The only one."""
-        if len(self.maps) != 1:
-            raise ValueError(f"there are {len(self.maps)} maps, of UDIM tiles: see maps")
-        return self.maps[0]
-
-    @property
-    def occlusion(self) -> Floats:
-        return self.map.occlusion
-
-    @property
-    def visibility(self) -> Floats:
-        return self.map.visibility
-
-    @property
-    def bent_normals(self) -> Optional[Floats]:
-        return self.map.bent_normals
-
-    @property
-    def coverage(self) -> npt.NDArray[np.uint8]:
-        return self.map.coverage
 
 
 def _uvs(UV: npt.ArrayLike, F_UV: Optional[npt.ArrayLike], origin: str, n: int, m: int) -> Floats:
@@ -204,6 +113,15 @@ def _extrusion(value: Optional[float], has_detailed: bool) -> float:
     return distance
 
 
+def _part(value: Optional[Tuple[int, int]]) -> Optional[Tuple[int, int]]:
+    if value is None:
+        return None
+    if not isinstance(value, tuple) or len(value) != 2:
+        raise TypeError("part must be a tuple of its number and how many there are, (k, n)")
+    count = arguments.whole(value[1], "n of part", 1, 2**32 - 1)
+    return arguments.whole(value[0], "k of part", 0, count - 1), count
+
+
 def bake_texture(
     V: npt.ArrayLike,
     F: npt.ArrayLike,
@@ -232,6 +150,8 @@ def bake_texture(
     sided: str = "two",
     seed: int = 0,
     min_distance: float = 0.0,
+    part: Optional[Tuple[int, int]] = None,
+    merge: Optional[Sequence[TextureBake]] = None,
     threads: int = 0,
     progress: Optional[Progress] = None,
 ) -> TextureBake:
@@ -258,6 +178,9 @@ def bake_texture(
     detailed: (V, F) of another mesh in the same space whose occlusion the map shows: each point stands for what lies
         nearest along the smooth normal within the distance `extrusion`, by default 2 % of the diagonal of the box
         around V. It alone blocks, if no scene is given. detailed_normals: see normals.
+    part: (k, n): only the k-th share of n, from 0 on, for several machines. merge: what that returned for all n, with
+        the other arguments as they were there: nothing is cast, but the maps are put together and finished, with the
+        bits of the whole.
     progress: counts texels; see Scene. What follows them, levelling seams and filling gaps, cannot be stopped.
 
     Memory: 5 bytes a texel, 17 with bent normals, and some 1000 for each along a seam that is levelled. Raises
@@ -272,10 +195,14 @@ def bake_texture(
     surface = surface_of(
         positions, triangles, origin, normals, uvs=uvs, materials=_materials(materials, material, m)
     )
+    if merge is not None:
+        return _finished(merged(merge), surface, options)
     fine = None if detailed is None else _detailed(detailed, detailed_normals, origin)
     if scene is None:
-        scene = Scene(*((V, F) if detailed is None else detailed), origin=origin, threads=threads)
+        blockers = (positions, triangles) if detailed is None else detailed
+        scene = Scene(*blockers, origin=origin, threads=threads)
     query = AmbientOcclusion(scene, samples, radius=radius, sided=sided, seed=seed, min_distance=min_distance)
+    share = _part(part)
     maps, report = _lkao.bake_texture(
         query._query,
         surface,
@@ -283,7 +210,14 @@ def bake_texture(
         options,
         fine,
         distance,
+        share,
         arguments.threads(threads),
         arguments.callback(progress),
     )
-    return TextureBake(tuple(TextureMap(*parts) for parts in maps), TextureReport(**report))
+    return TextureBake(tuple(TextureMap(*entries) for entries in maps), TextureReport(**report), share)
+
+
+def _finished(bake: TextureBake, surface: _lkao.Surface, options: _lkao.TextureOptions) -> TextureBake:
+    unfinished = [(m.udim, m.occlusion, m.bent_normals, m.coverage) for m in bake.maps]
+    maps, seams = _lkao.finish_texture(surface, options, unfinished)
+    return TextureBake(tuple(TextureMap(*entries) for entries in maps), replace(bake.report, **seams))
