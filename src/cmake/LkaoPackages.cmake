@@ -1,6 +1,6 @@
-# cpack -G DEB: liblkao0.1 and liblkao-gl0.1 (of a shared lkao), liblkao-c0 (the C interface), liblkao-dev, lkao
-# (the program), python3-lkao; cpack -G TGZ: one archive. Configure with CMAKE_INSTALL_PREFIX=/usr, so that files get their places in
-# Debian.
+# cpack -G DEB: liblkao0.1 and liblkao-gl0.1 (of a shared lkao), liblkao-c0 (the C interface), liblkao-dev, lkao (the
+# program), python3-lkao; cpack -G TGZ: one archive. Configure with CMAKE_INSTALL_PREFIX=/usr, so that files get their
+# places in Debian.
 
 set(lkao_abi "${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}")
 set(CPACK_PACKAGE_NAME lkao)
