@@ -15,7 +15,7 @@ enum class Format { exr, png };
 // All throw std::runtime_error with one line naming `path` and the fault.
 struct Codec {
   Image (*read)(const std::string& path);
-  // Of a PNG or JPEG in memory; `path` is for messages.
+  // Of a PNG, JPEG or WebP in memory; `path` is for messages.
   Image (*decode)(const std::string& path, std::string_view bytes);
   // The bytes of a file; `path` is for messages.
   std::vector<unsigned char> (*encode)(const std::string& path, const Image& image, Format format);

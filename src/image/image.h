@@ -23,7 +23,7 @@ struct Image {
 // Throws std::runtime_error with one line naming the file and the fault. Prints nothing.
 Image read_image(const std::string& path);
 
-// The same of a PNG or JPEG in memory; `path` is what messages name.
+// The same of a PNG, JPEG or WebP in memory; `path` is what messages name.
 Image decode_image(const std::string& path, std::string_view bytes);
 
 // Writes by the file name's ending: .exr as 32-bit float, all channels, bit for bit; .png as 8 bits, 1 to 4 channels,

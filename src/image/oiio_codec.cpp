@@ -55,7 +55,8 @@ Image read(const std::string& path) { return read_from(path, path, nullptr); }
 
 Image decode(const std::string& path, std::string_view bytes) {
   OIIO::Filesystem::IOMemReader memory(bytes.data(), bytes.size());
-  return read_from(path, bytes.starts_with("\xff\xd8") ? "in.jpg" : "in.png", &memory);
+  const bool is_webp = bytes.starts_with("RIFF") && bytes.substr(0, 12).ends_with("WEBP");
+  return read_from(path, is_webp ? "in.webp" : bytes.starts_with("\xff\xd8") ? "in.jpg" : "in.png", &memory);
 }
 
 // --- Writing
