@@ -46,8 +46,9 @@ struct ReceiverImage {
 
 // Casts one ray through the centre of each pixel, in parallel. Positions are interpolated from the triangle's corners,
 // not from the ray, so they lie on the surface to rounding. Triangles without area or with a non-finite corner are not
-// seen. Normals of corners are interpolated. Throws std::invalid_argument for a camera that validate() refuses and
-// sizes outside 1 to 32768, std::runtime_error where Embree runs out of memory.
+// seen; holes are looked through (Holes::is_seen). Normals of corners are interpolated. Throws std::invalid_argument
+// for a camera that validate() refuses and sizes outside 1 to 32768, std::runtime_error where Embree runs out of
+// memory.
 ReceiverImage find_receivers(const Mesh& mesh, const Camera& camera, int width, int height,
                              NormalSource normals = NormalSource::facet);
 

@@ -31,7 +31,8 @@ struct Contents {
   std::size_t instance_count = 0;  // meshes as often as they are shown
   std::size_t hidden_count = 0;    // nodes that are not shown, by the file's own word
   std::size_t uv_set_count = 0;    // most texture coordinates that a vertex has
-  std::size_t cut_out_count = 0;   // triangles of a material with holes by transparency: they block as if whole
+  // Triangles of a material with holes by transparency, read (Mesh::holes) or not: then they block as if whole.
+  std::size_t cut_out_count = 0;
   // Their names, where texture coordinates were asked for; those without have "".
   std::vector<std::string> materials = {};
   std::vector<TextureWraps> wraps = {};         // of their textures; of glTF alone

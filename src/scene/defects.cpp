@@ -4,11 +4,14 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <memory>
 #include <unordered_set>
+#include <utility>
 
 #include "bvh/usable_triangle.h"
 #include "lut/coordinates.h"
 #include "scene/facet.h"
+#include "scene/holes.h"
 
 namespace lkao::scene {
 
@@ -65,6 +68,7 @@ Defects find_defects(const Mesh& mesh) {
 }
 
 void drop_bad_triangles(Mesh& mesh) {
+  std::shared_ptr<Holes> holes = mesh.holes ? std::make_shared<Holes>(*mesh.holes) : nullptr;
   std::size_t kept = 0;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     if (!Facet(mesh, mesh.triangles[t]).is_usable()) continue;
@@ -72,12 +76,15 @@ void drop_bad_triangles(Mesh& mesh) {
     if (!mesh.normal_corners.empty()) mesh.normal_corners[kept] = mesh.normal_corners[t];
     if (!mesh.uv_corners.empty()) mesh.uv_corners[kept] = mesh.uv_corners[t];
     if (!mesh.materials.empty()) mesh.materials[kept] = mesh.materials[t];
+    if (holes) holes->numbers[kept] = holes->numbers[t];
     ++kept;
   }
   mesh.triangles.resize(kept);
   if (!mesh.normal_corners.empty()) mesh.normal_corners.resize(kept);
   if (!mesh.uv_corners.empty()) mesh.uv_corners.resize(kept);
   if (!mesh.materials.empty()) mesh.materials.resize(kept);
+  if (holes) holes->numbers.resize(kept);
+  mesh.holes = std::move(holes);
 }
 
 }  // namespace lkao::scene

@@ -1,8 +1,9 @@
-// What rays meet first on a mesh.
+// What rays meet first on a mesh, through its holes.
 #pragma once
 
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <optional>
 
 #include <glm/vec3.hpp>
@@ -30,6 +31,7 @@ class FirstHits {
  private:
   embree::Device device_;
   embree::Scene scene_;
+  std::shared_ptr<const Holes> holes_;
 };
 
 }  // namespace lkao::scene

@@ -9,6 +9,7 @@
 
 #include "lut/coordinates.h"
 #include "scene/facet.h"
+#include "scene/holes.h"
 
 namespace lkao::scene {
 
@@ -30,6 +31,16 @@ void append_corners(std::vector<Value>& values, std::vector<glm::uvec3>& corners
     corners.push_back(numbers);
   }
   corners.resize(triangle_count, glm::uvec3(none));
+}
+
+// The triangles are already joined.
+void append_holes(Mesh& mesh, const Mesh& part) {
+  if (!mesh.holes && !part.holes) return;
+  Holes joined = mesh.holes ? *mesh.holes : Holes{};
+  joined.numbers.resize(mesh.triangles.size() - part.triangles.size(), kWhole);
+  if (part.holes) joined.append(*part.holes);
+  joined.numbers.resize(mesh.triangles.size(), kWhole);
+  mesh.holes = std::make_shared<const Holes>(std::move(joined));
 }
 
 }  // namespace
@@ -62,6 +73,7 @@ void append(Mesh& mesh, const Mesh& part) {
   append_corners(mesh.normals, mesh.normal_corners, count, part.normals, part.normal_corners, part_count, kNoNormal);
   append_corners(mesh.uvs, mesh.uv_corners, count, part.uvs, part.uv_corners, part_count, kNoUv);
   if (!mesh.materials.empty()) mesh.materials.resize(count, kNoMaterial);
+  append_holes(mesh, part);
 }
 
 void turn_round(Mesh& mesh) {
@@ -69,6 +81,10 @@ void turn_round(Mesh& mesh) {
   for (glm::uvec3& corners : mesh.normal_corners) std::swap(corners.y, corners.z);
   for (glm::uvec3& corners : mesh.uv_corners) std::swap(corners.y, corners.z);
   for (glm::vec3& normal : mesh.normals) normal = -normal;
+  if (!mesh.holes) return;
+  auto turned = std::make_shared<Holes>(*mesh.holes);
+  for (HoleTriangle& triangle : turned->triangles) triangle.turn_round();
+  mesh.holes = std::move(turned);
 }
 
 std::size_t count_corners_without_normal(const Mesh& mesh) {

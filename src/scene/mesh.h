@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -11,6 +12,8 @@
 #include "lkao/occluder_bvh.h"
 
 namespace lkao::scene {
+
+struct Holes;
 
 inline constexpr std::uint32_t kNoNormal = 0xffffffffu;
 inline constexpr std::uint32_t kNoUv = 0xffffffffu;
@@ -31,6 +34,8 @@ struct Mesh {
   std::vector<glm::uvec3> uv_corners = {};
   // Of each triangle a number in Contents::materials, or kNoMaterial; empty where there are none.
   std::vector<std::uint32_t> materials = {};
+  // Of all triangles, where holes were asked for and there are some; otherwise null.
+  std::shared_ptr<const Holes> holes = {};
 
   // Far from zero a float is coarse: position + origin is where a vertex lies in its file (choose_origin).
   glm::dvec3 origin{0};
@@ -41,8 +46,8 @@ struct Mesh {
 // Box around the finite positions that some triangle uses; empty (lower > upper) where there is none.
 Bounds bounds_of(const Mesh& mesh);
 
-// Adds the triangles of `part`, which has the same origin, behind those of `mesh`. Its materials are not among those of
-// the mesh: its triangles have none.
+// Adds the triangles of `part`, which has the same origin, behind those of `mesh`, with their holes. Its materials are
+// not among those of the mesh: its triangles have none.
 void append(Mesh& mesh, const Mesh& part);
 
 // Turns all triangles round, with their normals: what was inside is outside. Corners keep their texture coordinates.

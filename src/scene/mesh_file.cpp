@@ -52,7 +52,8 @@ void check_indices(const FileMesh& mesh) {
   }
 }
 
-FileMesh read_by_extension(const std::string& path, std::optional<int> uv_set) {
+FileMesh read_by_extension(const std::string& path, const ReadOptions& options) {
+  const std::optional<int>& uv_set = options.uv_set;
   const std::string extension = extension_of(path);
   const FileBytes file = read_file(path);
   const std::string_view bytes = file.view();
@@ -64,7 +65,7 @@ FileMesh read_by_extension(const std::string& path, std::optional<int> uv_set) {
     return read_obj(
         bytes, [&](const std::string& name) { return read_beside(path, name); }, uv_set);
   }
-  if (extension == "gltf" || extension == "glb") return read_gltf(path, bytes, uv_set);
+  if (extension == "gltf" || extension == "glb") return read_gltf(path, bytes, uv_set, options.decode_alpha);
   throw std::runtime_error("not a supported mesh type (known: .obj .ply .stl .off .gltf .glb)");
 }
 
@@ -114,7 +115,7 @@ MeshFile open_mesh_file(const std::string& path, const ReadOptions& options) {
     throw std::invalid_argument(fmt::format("open_mesh_file: uv_set is {}, which is negative", *options.uv_set));
   }
   try {
-    FileMesh file = read_by_extension(path, options.uv_set);
+    FileMesh file = read_by_extension(path, options);
     check_indices(file);
     if (file.triangles.empty()) throw std::runtime_error("there are no triangles in it");
     cut_polygons(file);
@@ -128,6 +129,7 @@ MeshFile open_mesh_file(const std::string& path, const ReadOptions& options) {
     take_normals(file, result.mesh);
     take_uvs(file, result.mesh);
     result.mesh.materials = std::move(file.materials);
+    result.mesh.holes = std::move(file.holes);
     return result;
   } catch (const std::runtime_error& error) {
     throw std::runtime_error(path + ": " + error.what());

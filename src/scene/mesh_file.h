@@ -5,6 +5,7 @@
 #include <string>
 
 #include "scene/contents.h"
+#include "scene/holes.h"
 #include "scene/mesh.h"
 
 namespace lkao::scene {
@@ -19,6 +20,10 @@ struct ReadOptions {
   std::optional<glm::dvec3> origin = {};
   // The number of the texture coordinates to read, with the materials that they are for; without it neither is read.
   std::optional<int> uv_set = {};
+  // Reads images for holes by transparency (Mesh::holes), of glTF alone: alphaMode MASK is exact, BLEND by chance.
+  // Without it triangles of such materials are whole, and a remark says so. What holes there are in an image that
+  // cannot be read a remark says too.
+  DecodeAlpha decode_alpha = {};
 };
 
 // Reads every triangle of the file: node transforms applied, polygons cut into triangles, points and lines left out,

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include <glm/vec3.hpp>
 
 #include "scene/contents.h"
+#include "scene/holes.h"
 
 namespace lkao::scene {
 
@@ -31,6 +33,7 @@ struct FileMesh {
   std::vector<glm::vec2> uvs;
   std::vector<glm::uvec3> uv_corners;
   std::vector<std::uint32_t> materials;
+  std::shared_ptr<const Holes> holes;  // likewise
   std::vector<Fan> fans;
   Contents contents;
 

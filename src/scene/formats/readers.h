@@ -12,6 +12,7 @@
 #include <string_view>
 
 #include "scene/formats/file_mesh.h"
+#include "scene/holes.h"
 
 namespace lkao::scene {
 
@@ -33,7 +34,8 @@ FileMesh read_obj(std::string_view bytes, const ReadBeside& read_beside, std::op
 FileMesh read_stl(std::string_view bytes);
 
 // glTF 2.0 and GLB, whatever the file's name ends in. Buffers in files of their own are found beside `path`. What is
-// shown or used many times takes its memory as often.
-FileMesh read_gltf(const std::string& path, std::string_view bytes, std::optional<int> uv_set = {});
+// shown or used many times takes its memory as often. With `decode_alpha` holes by transparency are read too.
+FileMesh read_gltf(const std::string& path, std::string_view bytes, std::optional<int> uv_set = {},
+                   const DecodeAlpha& decode_alpha = {});
 
 }  // namespace lkao::scene

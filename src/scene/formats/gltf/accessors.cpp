@@ -117,6 +117,10 @@ bool Accessors::has_plain_integers(const Value& index) const {
   return component_type(item_of_list(root_, "accessors", index)) != ComponentType::float32 && !is_normalized(index);
 }
 
+std::string Accessors::shape_of(const Value& index) const {
+  return item_of_list(root_, "accessors", index).at("type").text();
+}
+
 bool Accessors::is_normalized(const Value& index) const {
   const std::optional<Value> normalized = item_of_list(root_, "accessors", index).find("normalized");
   return normalized && normalized->boolean();

@@ -63,6 +63,8 @@ class Accessors {
 
   // Whether the accessor that `index` names has integers that stand for themselves, wherever they are.
   bool has_plain_integers(const Value& index) const;
+  // Its shape, "VEC3" or another of glTF's words.
+  std::string shape_of(const Value& index) const;
   // What the accessor that `index` names says of its integers, wherever they are.
   bool is_normalized(const Value& index) const;
 

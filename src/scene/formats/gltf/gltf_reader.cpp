@@ -14,14 +14,15 @@
 
 namespace lkao::scene {
 
-FileMesh read_gltf(const std::string& path, std::string_view bytes, std::optional<int> uv_set) {
+FileMesh read_gltf(const std::string& path, std::string_view bytes, std::optional<int> uv_set,
+                   const DecodeAlpha& decode_alpha) {
   try {
     const gltf::Container container = gltf::open_container(bytes);
     const nlohmann::json document = gltf::parse(container.json);
     const gltf::Value root(document, "");
     gltf::check_requirements(root);
     gltf::Buffers buffers(root, container.binary, path, bytes.size());
-    return gltf::SceneReader(root, buffers, uv_set).read();
+    return gltf::SceneReader(root, buffers, uv_set, {root, buffers, path, decode_alpha}).read();
   } catch (const std::bad_alloc&) {
     throw std::runtime_error("there is not enough memory for what it shows");
   }

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -34,6 +35,8 @@ class Primitive {
   std::vector<glm::dvec3> vec3s(const char* attribute) const;
   std::vector<glm::dvec4> vec4s(const char* attribute) const;
 
+  // Of an attribute that it has: "VEC3" or another of glTF's words.
+  std::string shape_of(const char* attribute) const { return accessors_->shape_of(attributes_.at(attribute)); }
   // Whether an attribute that it has is of integers that stand for themselves.
   bool has_plain_integers(const char* attribute) const;
   // The number of an attribute's accessor: what has the same has the same values. `none` where it has no such.

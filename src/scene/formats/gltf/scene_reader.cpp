@@ -15,12 +15,13 @@
 
 namespace lkao::scene::gltf {
 
-SceneReader::SceneReader(const Value& root, Buffers& buffers, std::optional<int> uv_set)
+SceneReader::SceneReader(const Value& root, Buffers& buffers, std::optional<int> uv_set, HoleReader holes)
     : root_(root),
       uv_set_(uv_set),
       accessors_(root, buffers),
       nodes_(root),
-      shapes_(root, accessors_, buffers, uv_set) {}
+      hole_reader_(std::move(holes)),
+      shapes_(root, accessors_, buffers, uv_set, hole_reader_) {}
 
 FileMesh SceneReader::read() && {
   find_showings();
@@ -30,9 +31,7 @@ FileMesh SceneReader::read() && {
   if (mesh_.normals.empty()) mesh_.normal_corners.clear();
   if (uv_set_) describe_materials();
   mesh_.contents.hidden_count = nodes_.hidden_count();
-  std::vector<CutOut> cut_outs;
-  for (const auto& [material, cut_out] : cut_outs_) cut_outs.push_back(cut_out);
-  add_cut_outs(std::move(cut_outs), mesh_.contents);
+  describe_holes();
   return std::move(mesh_);
 }
 
@@ -123,6 +122,7 @@ void SceneReader::add_instance(const Shape& shape, std::span<const std::uint32_t
   for (const Part& part : shape.parts) {
     add_triangles(part, blocks[part.vertices]);
     if (uv_set_) add_corner_uvs(shape, part, first_uvs, blocks[part.vertices]);
+    if (!part.holes.empty()) add_holes(part, blocks[part.vertices]);
     count_cut_outs(part);
     mesh_.contents.uv_set_count = std::max(mesh_.contents.uv_set_count, part.uv_set_count);
   }
@@ -180,6 +180,17 @@ void SceneReader::add_corner_uvs(const Shape& shape, const Part& part, std::span
   }
 }
 
+// Of the triangles that were added last.
+void SceneReader::add_holes(const Part& part, const Block& block) {
+  holes_.numbers.resize(mesh_.triangles.size() - part.triangles.size(), kWhole);
+  for (std::size_t t = 0; t < part.triangles.size(); ++t) {
+    HoleTriangle holes = part.holes[t];
+    if (block.is_mirrored[part.triangles[t].x]) holes.turn_round();
+    holes_.numbers.push_back(static_cast<std::uint32_t>(holes_.triangles.size()));
+    holes_.triangles.push_back(holes);
+  }
+}
+
 void SceneReader::describe_materials() {
   const std::size_t count = size_of_list(root_, "materials");
   mesh_.contents.materials.reserve(count);
@@ -192,15 +203,30 @@ void SceneReader::describe_materials() {
   }
 }
 
+void SceneReader::describe_holes() {
+  if (!holes_.triangles.empty()) {
+    holes_.numbers.resize(mesh_.triangles.size(), kWhole);
+    holes_.materials = hole_reader_.take_materials();
+    mesh_.holes = std::make_shared<const Holes>(std::move(holes_));
+  }
+  std::vector<CutOut> cut_outs;
+  cut_outs.reserve(cut_outs_.size());
+  for (const auto& [material, cut_out] : cut_outs_) cut_outs.push_back(cut_out);
+  add_cut_outs(std::move(cut_outs), mesh_.contents);
+  for (std::string& remark : hole_reader_.remarks()) mesh_.contents.remarks.push_back(std::move(remark));
+}
+
 void SceneReader::count_cut_outs(const Part& part) {
   if (!part.material || *part.material >= size_of_list(root_, "materials")) return;
   const Value material = root_.at("materials").element(*part.material);
-  const std::optional<Value> mode = material.find("alphaMode");
-  if (!mode || (mode->text() != "MASK" && mode->text() != "BLEND")) return;
+  const AlphaMode mode = alpha_mode_of(material);
+  if (mode == AlphaMode::opaque || (hole_reader_.is_reading() && part.holes.empty())) return;
   const std::optional<Value> name = material.find("name");
   CutOut& cut_out = cut_outs_[*part.material];
   cut_out.material = name ? printable(name->text()) : material.place();
   cut_out.triangle_count += part.triangles.size();
+  if (part.holes.empty()) return;
+  cut_out.kind = mode == AlphaMode::mask ? CutOut::Kind::mask : CutOut::Kind::blend;
 }
 
 }  // namespace lkao::scene::gltf

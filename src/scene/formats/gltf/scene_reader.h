@@ -13,6 +13,7 @@
 #include "scene/formats/cut_outs.h"
 #include "scene/formats/file_mesh.h"
 #include "scene/formats/gltf/accessors.h"
+#include "scene/formats/gltf/holes.h"
 #include "scene/formats/gltf/nodes.h"
 #include "scene/formats/gltf/shape.h"
 
@@ -20,8 +21,9 @@ namespace lkao::scene::gltf {
 
 class SceneReader {
  public:
-  // uv_set: the number of the texture coordinates to read, with materials; neither where it is nothing.
-  SceneReader(const Value& root, Buffers& buffers, std::optional<int> uv_set);
+  // uv_set: the number of the texture coordinates to read, with materials; neither where it is nothing. `holes` is
+  // asked about the same document.
+  SceneReader(const Value& root, Buffers& buffers, std::optional<int> uv_set, HoleReader holes);
 
   // Throws std::runtime_error with the fault, std::bad_alloc where the memory is not enough.
   FileMesh read() &&;
@@ -62,17 +64,21 @@ class SceneReader {
   void add_triangles(const Part& part, const Block& block);
   void add_corner_uvs(const Shape& shape, const Part& part, std::span<const std::uint32_t> first_uvs,
                       const Block& block);
+  void add_holes(const Part& part, const Block& block);
   void describe_materials();
+  void describe_holes();
   void count_cut_outs(const Part& part);
 
   Value root_;
   std::optional<int> uv_set_;
   Accessors accessors_;
   Nodes nodes_;
+  HoleReader hole_reader_;
   ShapeReader shapes_;
   std::vector<Showing> showings_;
   std::map<std::size_t, Use> uses_;         // by mesh
   std::map<std::size_t, CutOut> cut_outs_;  // by material
+  Holes holes_;
   FileMesh mesh_;
 };
 

@@ -144,8 +144,9 @@ Shape ShapeReader::read(const Value& mesh, const std::optional<Value>& weights, 
     }
     shape.vertices[vertices].primitives.push_back(static_cast<std::uint32_t>(i));
     const std::optional<Value> material = primitive->json().find("material");
+    std::vector<HoleTriangle> holes = holes_->read(*primitive, triangles);
     shape.parts.push_back({vertices, std::move(triangles), material ? std::optional(material->count()) : std::nullopt,
-                           primitive->uv_set_count(), uvs.read(*primitive)});
+                           primitive->uv_set_count(), uvs.read(*primitive), std::move(holes)});
   }
   return shape;
 }

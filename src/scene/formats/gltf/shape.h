@@ -11,6 +11,7 @@
 #include <glm/vec4.hpp>
 
 #include "scene/formats/gltf/accessors.h"
+#include "scene/formats/gltf/holes.h"
 #include "scene/formats/gltf/textures.h"
 
 namespace lkao::scene::gltf {
@@ -40,7 +41,8 @@ struct Part {
   std::vector<glm::uvec3> triangles;
   std::optional<std::size_t> material;
   std::size_t uv_set_count;
-  std::optional<PartUvs> uvs = {};  // where they were asked for, and it has them
+  std::optional<PartUvs> uvs = {};       // where they were asked for, and it has them
+  std::vector<HoleTriangle> holes = {};  // of each triangle; empty where they are whole
 };
 
 struct Shape {
@@ -54,9 +56,9 @@ struct Shape {
 
 class ShapeReader {
  public:
-  // uv_set: the number of the texture coordinates to read; none where it is nothing.
-  ShapeReader(const Value& root, Accessors& accessors, Buffers& buffers, std::optional<int> uv_set)
-      : root_(root), accessors_(&accessors), buffers_(&buffers), uv_set_(uv_set) {}
+  // uv_set: the number of the texture coordinates to read; none where it is nothing. All must outlive it.
+  ShapeReader(const Value& root, Accessors& accessors, Buffers& buffers, std::optional<int> uv_set, HoleReader& holes)
+      : root_(root), accessors_(&accessors), buffers_(&buffers), uv_set_(uv_set), holes_(&holes) {}
 
   // `weights` of the morph targets: a list of numbers, or nothing for the mesh's own. Influences are read where
   // is_skinned. Throws std::runtime_error with the fault.
@@ -67,6 +69,7 @@ class ShapeReader {
   Accessors* accessors_;
   Buffers* buffers_;
   std::optional<int> uv_set_;
+  HoleReader* holes_;
 };
 
 }  // namespace lkao::scene::gltf

@@ -29,6 +29,11 @@ std::vector<Value> textures_of(const Value& material, std::size_t uv_set) {
   return textures;
 }
 
+std::optional<Value> sampler_of(const Value& root, const Value& texture) {
+  const std::optional<Value> index = item_of_list(root, "textures", texture.at("index")).find("sampler");
+  return index ? std::optional(item_of_list(root, "samplers", *index)) : std::nullopt;
+}
+
 TextureWrap wrap_or_repeat(const Value& sampler, const char* key) {
   constexpr std::size_t kClamp = 33071, kMirror = 33648, kRepeat = 10497;
   const std::size_t number = count_or(sampler, key, kRepeat);
@@ -72,14 +77,20 @@ std::optional<Value> occlusion_transform(const Value& material, std::size_t uv_s
 }
 
 TextureWraps wraps_of(const Value& root, const Value& material, std::size_t uv_set) {
-  for (const Value& info : textures_of(material, uv_set)) {
-    const Value texture = item_of_list(root, "textures", info.at("index"));
-    const std::optional<Value> index = texture.find("sampler");
-    if (!index) return {};
-    const Value sampler = item_of_list(root, "samplers", *index);
-    return {wrap_or_repeat(sampler, "wrapS"), wrap_or_repeat(sampler, "wrapT")};
-  }
-  return {};
+  const std::vector<Value> textures = textures_of(material, uv_set);
+  return textures.empty() ? TextureWraps{} : wraps_of_texture(root, textures.front());
+}
+
+TextureWraps wraps_of_texture(const Value& root, const Value& texture) {
+  const std::optional<Value> sampler = sampler_of(root, texture);
+  if (!sampler) return {};
+  return {wrap_or_repeat(*sampler, "wrapS"), wrap_or_repeat(*sampler, "wrapT")};
+}
+
+bool is_smooth(const Value& root, const Value& texture) {
+  constexpr std::size_t kNearest = 9728, kLinear = 9729;
+  const std::optional<Value> sampler = sampler_of(root, texture);
+  return !sampler || count_or(*sampler, "magFilter", kLinear) != kNearest;
 }
 
 }  // namespace lkao::scene::gltf

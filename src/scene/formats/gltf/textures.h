@@ -39,4 +39,10 @@ std::optional<Value> occlusion_transform(const Value& material, std::size_t uv_s
 // textures for this set of texture coordinates. Repeated where there is none.
 TextureWraps wraps_of(const Value& root, const Value& material, std::size_t uv_set);
 
+// The same of one texture that a material uses.
+TextureWraps wraps_of_texture(const Value& root, const Value& texture);
+
+// Whether it is shown enlarged with values between those of its texels, as where the file does not say.
+bool is_smooth(const Value& root, const Value& texture);
+
 }  // namespace lkao::scene::gltf

@@ -1,0 +1,122 @@
+#include "scene/holes.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <utility>
+
+#include "lut/random.h"
+
+namespace lkao::scene {
+
+namespace {
+
+// The texel that an image of `count` texels shows at the place of texel `i` of the endless plane, `i` an integer.
+int wrapped(double i, int count, TextureWrap wrap) {
+  const double size = count;
+  if (wrap == TextureWrap::clamp) return static_cast<int>(std::clamp(i, 0.0, size - 1));
+  const double period = wrap == TextureWrap::mirror ? 2 * size : size;
+  const double k = std::clamp(i - period * std::floor(i / period), 0.0, period - 1);
+  return static_cast<int>(k < size ? k : period - 1 - k);
+}
+
+// The texels around a place on one axis, and the share of the second.
+struct Neighbours {
+  int first, second;
+  double share;
+};
+
+Neighbours neighbours(double t, int count, TextureWrap wrap) {
+  const double i = t * count - 0.5, first = std::floor(i);
+  return {wrapped(first, count, wrap), wrapped(first + 1, count, wrap), i - first};
+}
+
+double texel(const AlphaImage& image, int x, int y) {
+  const std::size_t i =
+      static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x);
+  return image.alphas[i] / 65535.0;
+}
+
+// Of values of the corners; where they are equal, exactly that.
+template <typename Value, typename Wide>
+Wide mix(const std::array<Value, 3>& corners, const glm::dvec2& place, const Wide& first) {
+  return first + place.x * (Wide(corners[1]) - first) + place.y * (Wide(corners[2]) - first);
+}
+
+// From [0, 1).
+double lot_of(std::size_t triangle, const glm::vec2& place) {
+  const std::uint64_t bits =
+      std::uint64_t{std::bit_cast<std::uint32_t>(place.x)} << 32 | std::bit_cast<std::uint32_t>(place.y);
+  lut::RandomStream random(lut::mix_bits(bits) ^ triangle);
+  return random.next_double();
+}
+
+}  // namespace
+
+double AlphaTexture::at(const glm::dvec2& uv) const {
+  if (!std::isfinite(uv.x) || !std::isfinite(uv.y)) return 1;
+  if (!is_smooth) {
+    return texel(*image, wrapped(std::floor(uv.x * image->width), image->width, wraps.u),
+                 wrapped(std::floor(uv.y * image->height), image->height, wraps.v));
+  }
+  const Neighbours x = neighbours(uv.x, image->width, wraps.u), y = neighbours(uv.y, image->height, wraps.v);
+  const double upper = std::lerp(texel(*image, x.first, y.first), texel(*image, x.second, y.first), x.share);
+  const double lower = std::lerp(texel(*image, x.first, y.second), texel(*image, x.second, y.second), x.share);
+  return std::lerp(upper, lower, y.share);
+}
+
+void HoleTriangle::turn_round() {
+  std::swap(uvs[1], uvs[2]);
+  std::swap(alphas[1], alphas[2]);
+}
+
+void Holes::append(const Holes& part) {
+  const auto first_material = static_cast<std::uint32_t>(materials.size());
+  const auto first = static_cast<std::uint32_t>(triangles.size());
+  materials.insert(materials.end(), part.materials.begin(), part.materials.end());
+  triangles.reserve(triangles.size() + part.triangles.size());
+  for (HoleTriangle triangle : part.triangles) {
+    triangle.material += first_material;
+    triangles.push_back(triangle);
+  }
+  numbers.reserve(numbers.size() + part.numbers.size());
+  for (const std::uint32_t number : part.numbers) numbers.push_back(number == kWhole ? kWhole : number + first);
+}
+
+double Holes::alpha(std::size_t triangle, const glm::dvec2& place) const {
+  const std::uint32_t number = numbers[triangle];
+  if (number == kWhole) return 1;
+  const HoleTriangle& holes = triangles[number];
+  const HoleMaterial& material = materials[holes.material];
+  const double own = material.factor * mix(holes.alphas, place, static_cast<double>(holes.alphas[0]));
+  if (!material.texture) return std::clamp(own, 0.0, 1.0);
+  return std::clamp(own * material.texture->at(mix(holes.uvs, place, glm::dvec2(holes.uvs[0]))), 0.0, 1.0);
+}
+
+bool Holes::blocks(std::size_t triangle, const glm::vec2& place) const {
+  const std::uint32_t number = numbers[triangle];
+  if (number == kWhole) return true;
+  const std::optional<double>& cut_off = materials[triangles[number].material].cut_off;
+  const double there = alpha(triangle, glm::dvec2(place));
+  return cut_off ? there >= *cut_off : lot_of(triangle, place) < there;
+}
+
+bool Holes::is_seen(std::size_t triangle, const glm::dvec2& place) const {
+  constexpr double kHalf = 0.5;
+  const std::uint32_t number = numbers[triangle];
+  if (number == kWhole) return true;
+  return alpha(triangle, place) >= materials[triangles[number].material].cut_off.value_or(kHalf);
+}
+
+CutOuts cut_outs_of(std::shared_ptr<const Holes> holes) {
+  if (!holes) return {};
+  CutOuts cut_outs;
+  cut_outs.opacities.reserve(holes->numbers.size());
+  for (const std::uint32_t number : holes->numbers) cut_outs.opacities.push_back(number == kWhole ? 1.0f : 0.0f);
+  cut_outs.blocks = [shared = std::move(holes)](std::uint32_t, std::uint32_t primitive, float u, float v) {
+    return shared->blocks(primitive, {u, v});
+  };
+  return cut_outs;
+}
+
+}  // namespace lkao::scene
