@@ -10,7 +10,7 @@
 namespace lkao::method {
 namespace {
 
-Abilities abilities(const Settings&) { return {.levels = false, .lights = true}; }
+Abilities abilities(const Settings&) { return {.levels = false, .lights = true, .holes = true}; }
 
 class Embree : public Method {
  public:

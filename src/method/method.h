@@ -32,6 +32,7 @@ struct Abilities {
   bool one_sided = true;     // Sidedness::one_sided
   bool uniform_weighting = true;
   bool lights = false;  // Question::light
+  bool holes = false;   // Mesh::holes; otherwise such triangles are whole
   bool constant_falloff = true, linear_falloff = true, other_falloffs = true;
 };
 

@@ -1,14 +1,18 @@
 #include "method/occluders.h"
 
 #include "method/stopwatch.h"
+#include "scene/holes.h"
 
 namespace lkao::method {
 
 const std::vector<OccluderLevel>& Occluders::hierarchies() {
   if (hierarchies_.empty()) {
     const Stopwatch watch;
-    hierarchies_ =
-        chain_ != nullptr ? lod::build_levels(*chain_, radius_) : std::vector{OccluderLevel{OccluderBvh(mesh_.view())}};
+    if (chain_ != nullptr) {
+      hierarchies_ = lod::build_levels(*chain_, radius_);
+    } else {
+      hierarchies_ = {{OccluderBvh(mesh_.view(), {.cut_outs = scene::cut_outs_of(mesh_.holes)})}};
+    }
     build_seconds_ = watch.seconds();
   }
   return hierarchies_;

@@ -23,11 +23,12 @@ class Occluders {
   // The whole scene.
   const scene::Mesh& mesh() const { return mesh_; }
 
-  // A hierarchy over each level, or over the scene. Built at the first call.
+  // A hierarchy over each level, or over the scene with its holes. Built at the first call.
   const std::vector<OccluderLevel>& hierarchies();
   // That it took; 0 where nobody asked for them.
   double build_seconds() const { return build_seconds_; }
 
+  // Holes are in hierarchies() alone, and not in levels.
   // All levels as one mesh, or the scene: with [r_min, r_max] of each triangle, or none.
   const scene::Mesh& drawn_mesh();
   std::span<const glm::vec2> drawn_ranges();

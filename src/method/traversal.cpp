@@ -30,7 +30,7 @@ SoftShadows make_shadows(Occluders& occluders, const Question& question, KernelC
 // Tables have all lengths as shares of the radius, and one hierarchy.
 Abilities abilities(const Settings& settings) {
   const bool is_free = !has_table(kernel_of(settings));
-  return {.levels = is_free, .infinite_lengths = is_free, .lights = is_free};
+  return {.levels = is_free, .infinite_lengths = is_free, .lights = is_free, .holes = true};
 }
 
 class Traversal : public Method {

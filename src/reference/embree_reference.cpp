@@ -107,7 +107,7 @@ OcclusionMask cast(const ReceiverRays& rays, const Beginnings& beginnings, RTCSc
 
 OcclusionMask find_blocked(const EmbreeScene& scene, const ReceiverRays& rays, const Beginnings& beginnings,
                            std::uint32_t excluded_primitive, Sidedness sidedness, Casting casting) {
-  if (excluded_primitive != kNoPrimitive || sidedness == Sidedness::one_sided) {
+  if (excluded_primitive != kNoPrimitive || sidedness == Sidedness::one_sided || scene.has_holes()) {
     FilteredRays filtered(scene, rays.origin, excluded_primitive, sidedness);
     return cast(rays, beginnings, scene.filtered(), filtered.query, casting);
   }
@@ -133,7 +133,8 @@ OcclusionMask trace(const EmbreeScene& scene, Casting casting, const AmbientOccl
 }  // namespace
 
 EmbreeReference::EmbreeReference(const scene::Mesh& mesh, const ReferenceOptions& options)
-    : scene_(std::make_unique<EmbreeScene>(mesh.view(), options.robust)), casting_(options.casting) {}
+    : scene_(std::make_unique<EmbreeScene>(mesh.view(), options.robust, nullptr, mesh.holes)),
+      casting_(options.casting) {}
 
 EmbreeReference::~EmbreeReference() = default;
 

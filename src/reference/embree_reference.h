@@ -26,7 +26,8 @@ struct ReferenceOptions {
 };
 
 // An Embree scene (high build quality) over the same triangles: those with zero area or a non-finite corner block
-// nothing. Triangles keep their numbers, so excluded primitives work. Embree decides in single precision, and leaves
+// nothing, and those with holes (Mesh::holes) where these are not. Triangles keep their numbers, so excluded primitives
+// work. Embree decides in single precision, and leaves
 // out triangles with coordinates beyond 1.8e18. Usable from any number of threads.
 class EmbreeReference {
  public:

@@ -1,12 +1,14 @@
 #include "reference/embree_scene.h"
 
 #include <stdexcept>
+#include <utility>
 
 #include <fmt/format.h>
 #include <tbb/task_arena.h>
 
 #include <glm/geometric.hpp>
 
+#include "bvh/ray_triangle.h"
 #include "bvh/usable_triangle.h"
 #include "lut/coordinates.h"
 #include "lut/mesh_views.h"
@@ -21,6 +23,12 @@ bool can_block(const PositionView& positions, const glm::uvec3& triangle) {
   return lut::is_in_range(a, b, c) && !bvh::has_zero_area(a, b, c);
 }
 
+// As of ReceiverRays::ray.
+glm::vec3 ray_of(const RTCFilterFunctionNArguments& arguments, unsigned lane) {
+  return {RTCRayN_dir_x(arguments.ray, arguments.N, lane), RTCRayN_dir_y(arguments.ray, arguments.N, lane),
+          RTCRayN_dir_z(arguments.ray, arguments.N, lane)};
+}
+
 // Takes back the hits that do not count, before Embree ends the rays at them.
 void filter_hits(const RTCFilterFunctionNArguments* arguments) {
   const auto& rays = *reinterpret_cast<const FilteredRays*>(arguments->context);
@@ -29,7 +37,10 @@ void filter_hits(const RTCFilterFunctionNArguments* arguments) {
     const unsigned primitive = RTCHitN_primID(arguments->hit, arguments->N, lane);
     const bool excluded = rays.scene->primitive(primitive) == rays.excluded_primitive;
     const bool from_behind = rays.sidedness == Sidedness::one_sided && !rays.scene->faces(primitive, rays.origin);
-    if (excluded || from_behind) arguments->valid[lane] = 0;
+    if (excluded || from_behind ||
+        (rays.scene->has_holes() && !rays.scene->blocks(primitive, rays.origin, ray_of(*arguments, lane)))) {
+      arguments->valid[lane] = 0;
+    }
   }
 }
 
@@ -37,8 +48,11 @@ void filter_hits(const RTCFilterFunctionNArguments* arguments) {
 
 static_assert(std::is_standard_layout_v<FilteredRays>, "the filter casts back from the first member");
 
-EmbreeScene::EmbreeScene(const TriangleMesh& mesh, bool robust, const char* device_config)
-    : device_(make_device(device_config)), flags_(robust ? RTC_SCENE_FLAG_ROBUST : RTC_SCENE_FLAG_NONE) {
+EmbreeScene::EmbreeScene(const TriangleMesh& mesh, bool robust, const char* device_config,
+                         std::shared_ptr<const scene::Holes> holes)
+    : device_(make_device(device_config)),
+      holes_(std::move(holes)),
+      flags_(robust ? RTC_SCENE_FLAG_ROBUST : RTC_SCENE_FLAG_NONE) {
   lut::check_indices(mesh.triangles, mesh.positions.size());
   geometry_.reset(rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_TRIANGLE));
   check(device_.get(), "new geometry");
@@ -79,6 +93,13 @@ RTCScene EmbreeScene::filtered() const {
     tbb::this_task_arena::isolate([this] { filtered_ = build(flags_ | scene::embree::kFilterFlag); });
   });
   return filtered_.get();
+}
+
+bool EmbreeScene::blocks(unsigned embree_primitive, const glm::vec3& origin, const glm::vec3& ray) const {
+  const glm::uvec3& triangle = triangles_[embree_primitive];
+  const bvh::TriangleTest test(positions_[triangle.x], positions_[triangle.y], positions_[triangle.z], origin,
+                               1.01f * glm::length(ray), Sidedness::two_sided);
+  return test.can_block() && holes_->blocks(primitive(embree_primitive), glm::vec2(test.place(ray)));
 }
 
 bool EmbreeScene::faces(unsigned embree_primitive, const glm::vec3& point) const {

@@ -1,7 +1,9 @@
-// A triangle mesh inside Embree, and the filter that adds what Embree does not know: sides and excluded primitives.
+// A triangle mesh inside Embree, and the filter that adds what Embree does not know: sides, excluded primitives and
+// holes.
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <mutex>
 #include <vector>
 
@@ -9,21 +11,27 @@
 
 #include "lkao/ambient_occlusion.h"
 #include "scene/embree.h"
+#include "scene/holes.h"
 
 namespace lkao::reference {
 
 class EmbreeScene {
  public:
-  // `device_config` as of rtcNewDevice, such as "isa=avx2"; null for Embree's defaults. Errors as EmbreeReference says.
-  EmbreeScene(const TriangleMesh& mesh, bool robust, const char* device_config = nullptr);
+  // `device_config` as of rtcNewDevice, such as "isa=avx2"; null for Embree's defaults. `holes` of the mesh, or null.
+  // Errors as EmbreeReference says.
+  EmbreeScene(const TriangleMesh& mesh, bool robust, const char* device_config = nullptr,
+              std::shared_ptr<const scene::Holes> holes = nullptr);
 
-  // For the rays of any receiver that excludes no primitive, two-sided: Embree at its full speed.
+  // For the rays of any receiver that excludes no primitive, two-sided, without holes: Embree at its full speed.
   RTCScene plain() const { return plain_.get(); }
   // For FilteredRays. Built at the first call, from any thread.
   RTCScene filtered() const;
 
   // Number in the mesh of Embree's triangle.
   std::uint32_t primitive(unsigned embree_primitive) const { return primitives_[embree_primitive]; }
+  bool has_holes() const { return holes_ != nullptr; }
+  // Whether the ray from there, which meets Embree's triangle, is blocked, as the definition of rays has the place.
+  bool blocks(unsigned embree_primitive, const glm::vec3& origin, const glm::vec3& ray) const;
   // True where the front of Embree's triangle faces the point, decided in double precision.
   bool faces(unsigned embree_primitive, const glm::vec3& point) const;
 
@@ -33,6 +41,7 @@ class EmbreeScene {
 
   scene::embree::Device device_;
   scene::embree::Geometry geometry_;
+  std::shared_ptr<const scene::Holes> holes_;
   std::vector<std::uint32_t> primitives_;
   // Of Embree's triangles, in Embree's own buffers.
   const glm::vec3* positions_ = nullptr;
@@ -43,7 +52,7 @@ class EmbreeScene {
   mutable scene::embree::Scene filtered_;
 };
 
-// What casts the rays of one receiver with an excluded primitive or one-sided occluders.
+// What casts the rays of one receiver with an excluded primitive, or among one-sided occluders or such with holes.
 struct FilteredRays {
   FilteredRays(const EmbreeScene& embree_scene, const glm::vec3& ray_origin, std::uint32_t excluded,
                Sidedness occluder_sidedness);
