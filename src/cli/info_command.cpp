@@ -7,6 +7,7 @@
 #include <CLI/CLI.hpp>
 #include <glm/geometric.hpp>
 
+#include "cli/alpha_image.h"
 #include "cli/commands.h"
 #include "cli/json_output.h"
 #include "cli/options.h"
@@ -166,7 +167,7 @@ void info(const InfoOptions& options) {
   OutputFiles outputs({options.scene});
   const JsonOutput json(options.common.json_path, outputs);
   if (options.list || options.scene.empty()) return list_builtin_scenes(options, json);
-  const scene::MeshFile file = scene::open(options.scene);
+  const scene::MeshFile file = scene::open(options.scene, {.decode_alpha = decode_alpha});
   const Findings findings = examine(options.scene, file);
   print_notes(notes_on(options.scene, file));
   json.write_and_commit(document_of(options, findings));

@@ -30,7 +30,10 @@ Methods open(const RenderingOptions& options) {
 
 void load(const RenderingOptions& options, Rendering& result, ProgressBar& progress) {
   progress.begin("loading " + options.scene.name);
-  result.scene = load_scene(options.scene);
+  SceneOptions scene = options.scene;
+  const bool has_holes = options.method.kind->abilities(options.method.settings).holes && !options.lod;
+  scene.opaque = scene.opaque || !has_holes;  // which is said of a scene that has some
+  result.scene = load_scene(scene);
   result.radius =
       options.light ? std::numeric_limits<double>::infinity() : resolve_radius(options.occlusion.radius, result.scene);
   result.normals = choose_normals(options.normals, result.scene);

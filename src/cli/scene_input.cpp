@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "cli/alpha_image.h"
 #include "method/stopwatch.h"
 #include "scene/ground.h"
 #include "scene/load.h"
@@ -33,6 +34,9 @@ scene::Mesh usable_mesh(const std::string& name, scene::MeshFile file, scene::De
   return std::move(file.mesh);
 }
 
+// None where holes are not to be read.
+scene::DecodeAlpha alpha_decoder(bool is_opaque) { return is_opaque ? nullptr : scene::DecodeAlpha(decode_alpha); }
+
 }  // namespace
 
 const scene::BuiltinScene* find_builtin(const std::string& name) {
@@ -49,7 +53,9 @@ SceneInput load_scene(const SceneOptions& options) {
   const method::Stopwatch watch;
   SceneInput scene;
   scene.name = options.name;
-  scene::MeshFile file = scene::open(options.name, {.uv_set = options.uv_set});
+  scene.opaque = options.opaque;
+  scene::MeshFile file =
+      scene::open(options.name, {.uv_set = options.uv_set, .decode_alpha = alpha_decoder(scene.opaque)});
   scene.contents = file.contents;
   scene.mesh = usable_mesh(options.name, std::move(file), scene.defects, scene.notes);
   if (options.flip) scene::turn_round(scene.mesh);
@@ -59,7 +65,9 @@ SceneInput load_scene(const SceneOptions& options) {
 
 scene::Mesh load_beside(const std::string& file, SceneInput& scene) {
   scene::Defects defects;
-  return usable_mesh(file, scene::open_mesh_file(file, {.origin = scene.mesh.origin}), defects, scene.notes);
+  return usable_mesh(
+      file, scene::open_mesh_file(file, {.origin = scene.mesh.origin, .decode_alpha = alpha_decoder(scene.opaque)}),
+      defects, scene.notes);
 }
 
 void add_surroundings(SceneInput& scene, const SceneOptions& options, const glm::vec3& up, double radius) {

@@ -20,6 +20,7 @@ struct SceneInput {
   scene::Mesh mesh;          // the scene itself, of usable triangles only
   scene::Contents contents;  // of its file
   scene::Defects defects;    // likewise
+  bool opaque = false;       // what is loaded beside it has no holes either
   double load_seconds = 0;
   std::vector<std::string> notes;  // a line each
 

@@ -22,6 +22,10 @@ void add_scene_argument(CLI::App& app, std::string& name) {
 void add_scene_options(CLI::App& app, SceneOptions& options, const std::string& ground_help) {
   add_scene_argument(app, options.name);
   app.add_flag("--flip", options.flip, "Turn the scene's triangles and normals round: for files that are inside out");
+  app.add_flag("--opaque", options.opaque,
+               "Take triangles with holes as whole. Otherwise a glTF's alphaMode MASK is obeyed: rays and cameras pass "
+               "where alpha is below alphaCutoff. Of BLEND each ray is blocked with the probability alpha, and cameras "
+               "see what is 0.5 or more");
   app.add_flag("--ground", options.ground,
                fmt::format("Put a ground under the scene, square to --up, as wide as the radius needs ({:g} diagonals "
                            "of the scene's box around it where that is inf): it blocks, and {}",

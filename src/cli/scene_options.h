@@ -14,6 +14,7 @@ namespace lkao::cli {
 struct SceneOptions {
   std::string name;  // a mesh file, or builtin:NAME
   bool flip = false;
+  bool opaque = false;  // triangles with holes by transparency are whole
   bool ground = false;
   std::vector<std::string> blockers = {};  // mesh files
   std::optional<int> uv_set = {};          // texture coordinates to read; set by who needs them
@@ -25,7 +26,7 @@ struct SceneOptions {
 
 // The argument SCENE alone.
 void add_scene_argument(CLI::App& app, std::string& name);
-// SCENE, --flip, --ground and --blockers. `ground_help` says what becomes of the ground.
+// SCENE, --flip, --opaque, --ground and --blockers. `ground_help` says what becomes of the ground.
 void add_scene_options(CLI::App& app, SceneOptions& options, const std::string& ground_help);
 
 }  // namespace lkao::cli
