@@ -1,11 +1,15 @@
 // Meshes with holes: the query against Embree with the same holes, and against each ray by itself with a sampler that
 // shares nothing with the library's.
+#include <cmath>
+#include <memory>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "meshes.h"
 #include "reference/embree_reference.h"
+#include "scene/alpha_files.h"
 #include "scene/holes.h"
 #include "support/brute_force.h"
 #include "support/sanitized.h"
@@ -86,6 +90,42 @@ TEST(HolesAgreement, EveryRayAgainstEveryTriangleFindsTheSameBits) {
     ASSERT_EQ(scalar.blocked(receivers[k], k), expected) << k;
   }
   EXPECT_GT(passed_count, receivers.size());
+}
+
+// A card at z = 0 and receivers below: where a ray meets it is plain, and so is what a texture shows there.
+TEST(HolesAgreement, APlainSamplerFindsTheSameBits) {
+  constexpr TextureWrap kWraps[] = {TextureWrap::repeat, TextureWrap::mirror, TextureWrap::clamp};
+  for (int i = 0; i < 6; ++i) {
+    const scene::AlphaTexture texture = scene::random_texture(5, 3, {kWraps[i % 3], kWraps[(i + 1) % 3]}, i < 3);
+    Mesh mesh{.positions = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}}, .triangles = {{0, 1, 2}, {0, 2, 3}}};
+    Holes holes{
+        .materials = {{.cut_off = 0.45, .factor = 0.9, .texture = texture}}, .triangles = {}, .numbers = {0, 1}};
+    for (const glm::uvec3& t : mesh.triangles) {
+      HoleTriangle triangle;
+      for (int k = 0; k < 3; ++k) triangle.uvs[static_cast<std::size_t>(k)] = 1.7f * glm::vec2(mesh.positions[t[k]]);
+      holes.triangles.push_back(triangle);
+    }
+    mesh.holes = std::make_shared<const Holes>(std::move(holes));
+    const AmbientOcclusion query = query_of(mesh);
+    std::size_t blocked_count = 0, met_count = 0;
+    for (std::uint64_t k = 0; k < 20; ++k) {
+      const Receiver receiver{.position = {-0.5f + 0.05f * static_cast<float>(k), 0.1f, -0.2f}, .normal = {0, 0, 1}};
+      const ReceiverRays rays = query.rays(receiver, k);
+      const OcclusionMask blocked = query.blocked(receiver, k);
+      for (int ray = 0; ray < rays.ray_count; ++ray) {
+        const glm::dvec3 from(rays.origin), along(rays.ray(ray));
+        const double share = -from.z / along.z;
+        const glm::dvec2 hit = glm::dvec2(from) + share * glm::dvec2(along);
+        const bool is_met = share <= 1 && std::abs(hit.x) < 1 && std::abs(hit.y) < 1;
+        const bool is_there = is_met && 0.9 * scene::plain_alpha(texture, static_cast<double>(1.7f) * hit) >= 0.45;
+        ASSERT_EQ(blocked.test(ray), is_there) << i << ": " << hit.x << ", " << hit.y;
+        met_count += is_met ? 1 : 0;
+        blocked_count += is_there ? 1 : 0;
+      }
+    }
+    EXPECT_GT(blocked_count, met_count / 5);
+    EXPECT_LT(blocked_count, 4 * met_count / 5);
+  }
 }
 
 }  // namespace

@@ -1,9 +1,9 @@
 // Holes by transparency: alphaMode of glTF.
 #include <gmock/gmock.h>
 
+#include "alpha_files.h"
 #include "files.h"
 #include "gltf_reading.h"
-#include "holes.h"
 #include "scene/mesh_file.h"
 
 namespace lkao::scene {

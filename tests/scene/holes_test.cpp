@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "holes.h"
+#include "alpha_files.h"
 #include "scene/camera.h"
 #include "scene/defects.h"
 #include "scene/mesh.h"
