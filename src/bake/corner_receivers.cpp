@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "bake/edge_clearance.h"
+#include "bake/surface_receiver.h"
 #include "scene/facet.h"
 
 namespace lkao::bake {
@@ -49,7 +50,8 @@ std::vector<Receiver> corner_receivers(const scene::CornerNormals& normals, cons
     for (int i = 0; i < 3; ++i) {
       receivers.push_back({.position = glm::vec3(glm::mix(glm::dvec3(facet.corner(i)), circle.center, share)),
                            .normal = corner_normals[static_cast<std::size_t>(i)],
-                           .geometric_normal = geometric_normal});
+                           .geometric_normal = geometric_normal,
+                           .excluded_instance = object_of(mesh, t)});
     }
   }
   return receivers;

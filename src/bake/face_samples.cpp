@@ -8,6 +8,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "bake/surface_receiver.h"
 #include "lut/random.h"
 #include "scene/facet.h"
 
@@ -81,7 +82,8 @@ FaceSamples sample_faces(const scene::CornerNormals& normals, const SampleDensit
       samples.weights.push_back(weights);
       samples.receivers.push_back({.position = glm::vec3(mix(weights, facet.a, facet.b, facet.c)),
                                    .normal = glm::vec3(mix(weights, corners[0], corners[1], corners[2])),
-                                   .geometric_normal = geometric_normal});
+                                   .geometric_normal = geometric_normal,
+                                   .excluded_instance = object_of(mesh, t)});
     });
     if (samples.receivers.size() > std::numeric_limits<std::uint32_t>::max()) {
       throw std::length_error("sample_faces: more than 2^32 - 1 samples");

@@ -116,7 +116,9 @@ class ReceiverMaker {
       if (const auto found = cage->receiver(triangle_->placement.triangle, weights, clearance_)) return *found;
       ++made_.missed_count;
     }
-    return receiver_on(triangle_->facet, triangle_->normals, weights);
+    Receiver receiver = receiver_on(triangle_->facet, triangle_->normals, weights);
+    receiver.excluded_instance = object_of(layout_.mesh(), triangle_->placement.triangle);
+    return receiver;
   }
 
   const TextureLayout& layout_;

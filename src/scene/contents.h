@@ -30,6 +30,7 @@ struct Contents {
   std::size_t node_count = 0;      // places in the scene that show a mesh; 0 where the format knows none
   std::size_t instance_count = 0;  // meshes as often as they are shown
   std::size_t hidden_count = 0;    // nodes that are not shown, by the file's own word
+  std::size_t object_count = 0;    // of Mesh::objects, where they were asked for
   std::size_t uv_set_count = 0;    // most texture coordinates that a vertex has
   // Triangles of a material with holes by transparency, read (Mesh::holes) or not: then they block as if whole.
   std::size_t cut_out_count = 0;

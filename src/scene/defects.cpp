@@ -76,6 +76,7 @@ void drop_bad_triangles(Mesh& mesh) {
     if (!mesh.normal_corners.empty()) mesh.normal_corners[kept] = mesh.normal_corners[t];
     if (!mesh.uv_corners.empty()) mesh.uv_corners[kept] = mesh.uv_corners[t];
     if (!mesh.materials.empty()) mesh.materials[kept] = mesh.materials[t];
+    if (!mesh.objects.empty()) mesh.objects[kept] = mesh.objects[t];
     if (holes) holes->numbers[kept] = holes->numbers[t];
     ++kept;
   }
@@ -83,6 +84,7 @@ void drop_bad_triangles(Mesh& mesh) {
   if (!mesh.normal_corners.empty()) mesh.normal_corners.resize(kept);
   if (!mesh.uv_corners.empty()) mesh.uv_corners.resize(kept);
   if (!mesh.materials.empty()) mesh.materials.resize(kept);
+  if (!mesh.objects.empty()) mesh.objects.resize(kept);
   if (holes) holes->numbers.resize(kept);
   mesh.holes = std::move(holes);
 }

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include <glm/common.hpp>
+
 #include "lut/random.h"
 
 namespace lkao::scene {
@@ -83,14 +85,37 @@ void Holes::append(const Holes& part) {
   for (const std::uint32_t number : part.numbers) numbers.push_back(number == kWhole ? kWhole : number + first);
 }
 
+void Holes::add(const Holes& other, std::size_t triangle) {
+  const std::uint32_t number = other.numbers[triangle];
+  numbers.push_back(number == kWhole ? kWhole : static_cast<std::uint32_t>(triangles.size()));
+  if (number != kWhole) triangles.push_back(other.triangles[number]);
+}
+
+bool AlphaTexture::is_at_least(double alpha, const glm::dvec2& lower, const glm::dvec2& upper) const {
+  constexpr double kMostTexels = 4096;
+  if (image->least / 65535.0 >= alpha) return true;
+  // One texel more on each side: smooth images show it, and so does what rounding puts beyond the box.
+  const glm::dvec2 size(image->width, image->height);
+  const glm::dvec2 first = glm::floor(lower * size) - 1.0, last = glm::floor(upper * size) + 1.0;
+  const glm::dvec2 count = last - first + 1.0;
+  if (!(count.x * count.y <= kMostTexels)) return false;
+  for (double y = first.y; y <= last.y; ++y) {
+    for (double x = first.x; x <= last.x; ++x) {
+      const int column = wrapped(x, image->width, wraps.u), row = wrapped(y, image->height, wraps.v);
+      if (texel(*image, column, row) < alpha) return false;
+    }
+  }
+  return true;
+}
+
 double Holes::alpha(std::size_t triangle, const glm::dvec2& place) const {
   const std::uint32_t number = numbers[triangle];
   if (number == kWhole) return 1;
   const HoleTriangle& holes = triangles[number];
   const HoleMaterial& material = materials[holes.material];
-  const double own = material.factor * mix(holes.alphas, place, static_cast<double>(holes.alphas[0]));
-  if (!material.texture) return std::clamp(own, 0.0, 1.0);
-  return std::clamp(own * material.texture->at(mix(holes.uvs, place, glm::dvec2(holes.uvs[0]))), 0.0, 1.0);
+  double alpha = material.factor * mix(holes.alphas, place, static_cast<double>(holes.alphas[0]));
+  if (material.texture) alpha *= material.texture->at(mix(holes.uvs, place, glm::dvec2(holes.uvs[0])));
+  return std::isnan(alpha) ? 1 : std::clamp(alpha, 0.0, 1.0);
 }
 
 bool Holes::blocks(std::size_t triangle, const glm::vec2& place) const {

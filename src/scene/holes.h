@@ -23,6 +23,7 @@ namespace lkao::scene {
 struct AlphaImage {
   int width = 0, height = 0;
   std::vector<std::uint16_t> alphas;
+  std::uint16_t least = 0;  // of all of them, or less
 
   // Above 0, as are width and height of an image that anything is asked of.
   std::size_t size() const { return alphas.size(); }
@@ -40,6 +41,9 @@ struct AlphaTexture {
 
   // At texture coordinates as of Mesh::uvs, from 0 to 1; 1 where they are not finite.
   double at(const glm::dvec2& uv) const;
+  // Whether no texel is less that a place in this box may show. Where that is too much to look at, the whole image is
+  // asked.
+  bool is_at_least(double alpha, const glm::dvec2& lower, const glm::dvec2& upper) const;
 };
 
 // How the alpha of a material is made, and what it means.
@@ -70,8 +74,10 @@ struct Holes {
 
   // Adds those of the triangles behind.
   void append(const Holes& part);
+  // Adds that of one triangle of a mesh with the same materials.
+  void add(const Holes& other, std::size_t triangle);
 
-  // From 0 to 1, and 1 for whole triangles.
+  // From 0 to 1; 1 for whole triangles, and where numbers that are not finite leave none.
   double alpha(std::size_t triangle, const glm::dvec2& place) const;
   // Whether a ray that meets the triangle there is blocked. What is half-transparent draws lots by the place and the
   // triangle alone: rays that meet it elsewhere get another answer, the same ray the same on any thread and method.

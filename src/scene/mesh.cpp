@@ -43,6 +43,35 @@ void append_holes(Mesh& mesh, const Mesh& part) {
   mesh.holes = std::make_shared<const Holes>(std::move(joined));
 }
 
+constexpr std::uint32_t kNoVertex = 0xffffffffu;
+
+// Some triangles, with the vertices that they use and their holes. `new_numbers`, of all vertices, is kNoVertex before
+// and after.
+Mesh part_of(const Mesh& mesh, const std::vector<std::uint32_t>& triangles, std::vector<std::uint32_t>& new_numbers) {
+  Mesh part;
+  part.origin = mesh.origin;
+  part.triangles.reserve(triangles.size());
+  Holes holes = mesh.holes ? Holes{.materials = mesh.holes->materials, .triangles = {}, .numbers = {}} : Holes{};
+  for (const std::uint32_t t : triangles) {
+    glm::uvec3 corners = mesh.triangles[t];
+    for (int i = 0; i < 3; ++i) {
+      std::uint32_t& number = new_numbers[corners[i]];
+      if (number == kNoVertex) {
+        number = static_cast<std::uint32_t>(part.positions.size());
+        part.positions.push_back(mesh.positions[corners[i]]);
+      }
+      corners[i] = number;
+    }
+    part.triangles.push_back(corners);
+    if (mesh.holes) holes.add(*mesh.holes, t);
+  }
+  for (const std::uint32_t t : triangles) {
+    for (int i = 0; i < 3; ++i) new_numbers[mesh.triangles[t][i]] = kNoVertex;
+  }
+  if (!holes.triangles.empty()) part.holes = std::make_shared<const Holes>(std::move(holes));
+  return part;
+}
+
 }  // namespace
 
 Bounds bounds_of(const Mesh& mesh) {
@@ -73,7 +102,25 @@ void append(Mesh& mesh, const Mesh& part) {
   append_corners(mesh.normals, mesh.normal_corners, count, part.normals, part.normal_corners, part_count, kNoNormal);
   append_corners(mesh.uvs, mesh.uv_corners, count, part.uvs, part.uv_corners, part_count, kNoUv);
   if (!mesh.materials.empty()) mesh.materials.resize(count, kNoMaterial);
+  if (!mesh.objects.empty()) mesh.objects.resize(count, kNoObject);
   append_holes(mesh, part);
+}
+
+std::vector<Mesh> split_by_objects(const Mesh& mesh) {
+  std::vector<std::vector<std::uint32_t>> triangles;
+  for (std::uint32_t t = 0; t < mesh.objects.size(); ++t) {
+    const std::uint32_t object = mesh.objects[t];
+    if (object == kNoObject) continue;
+    if (object >= triangles.size()) triangles.resize(object + std::size_t{1});
+    triangles[object].push_back(t);
+  }
+  std::vector<Mesh> objects;
+  objects.reserve(triangles.size());
+  std::vector<std::uint32_t> new_numbers(mesh.positions.size(), kNoVertex);
+  for (const std::vector<std::uint32_t>& of_object : triangles) {
+    objects.push_back(part_of(mesh, of_object, new_numbers));
+  }
+  return objects;
 }
 
 void turn_round(Mesh& mesh) {

@@ -18,6 +18,7 @@ struct Holes;
 inline constexpr std::uint32_t kNoNormal = 0xffffffffu;
 inline constexpr std::uint32_t kNoUv = 0xffffffffu;
 inline constexpr std::uint32_t kNoMaterial = 0xffffffffu;
+inline constexpr std::uint32_t kNoObject = 0xffffffffu;
 
 struct Mesh {
   std::vector<glm::vec3> positions;  // less the origin
@@ -34,6 +35,9 @@ struct Mesh {
   std::vector<glm::uvec3> uv_corners = {};
   // Of each triangle a number in Contents::materials, or kNoMaterial; empty where there are none.
   std::vector<std::uint32_t> materials = {};
+  // Of each triangle a number below Contents::object_count, or kNoObject; empty where they were not asked for or the
+  // file names none.
+  std::vector<std::uint32_t> objects = {};
   // Of all triangles, where holes were asked for and there are some; otherwise null.
   std::shared_ptr<const Holes> holes = {};
 
@@ -47,8 +51,12 @@ struct Mesh {
 Bounds bounds_of(const Mesh& mesh);
 
 // Adds the triangles of `part`, which has the same origin, behind those of `mesh`, with their holes. Its materials are
-// not among those of the mesh: its triangles have none.
+// not among those of the mesh: its triangles have none, and no objects either.
 void append(Mesh& mesh, const Mesh& part);
+
+// The triangles of each object as a mesh of its own, with the vertices that they use and their holes alone. `objects`
+// must have one of each triangle; those of kNoObject are left out.
+std::vector<Mesh> split_by_objects(const Mesh& mesh);
 
 // Turns all triangles round, with their normals: what was inside is outside. Corners keep their texture coordinates.
 void turn_round(Mesh& mesh);

@@ -63,9 +63,10 @@ FileMesh read_by_extension(const std::string& path, const ReadOptions& options) 
   if (extension == "stl") return read_stl(bytes);
   if (extension == "obj") {
     return read_obj(
-        bytes, [&](const std::string& name) { return read_beside(path, name); }, uv_set);
+        bytes, [&](const std::string& name) { return read_beside(path, name); }, uv_set, options.objects);
   }
-  if (extension == "gltf" || extension == "glb") return read_gltf(path, bytes, uv_set, options.decode_alpha);
+  if (extension == "gltf" || extension == "glb")
+    return read_gltf(path, bytes, {uv_set, options.objects, options.decode_alpha});
   throw std::runtime_error("not a supported mesh type (known: .obj .ply .stl .off .gltf .glb)");
 }
 
@@ -129,6 +130,7 @@ MeshFile open_mesh_file(const std::string& path, const ReadOptions& options) {
     take_normals(file, result.mesh);
     take_uvs(file, result.mesh);
     result.mesh.materials = std::move(file.materials);
+    result.mesh.objects = std::move(file.objects);
     result.mesh.holes = std::move(file.holes);
     return result;
   } catch (const std::runtime_error& error) {

@@ -20,6 +20,9 @@ struct ReadOptions {
   std::optional<glm::dvec3> origin = {};
   // The number of the texture coordinates to read, with the materials that they are for; without it neither is read.
   std::optional<int> uv_set = {};
+  // Reads which triangles are one object (Mesh::objects): what a node of a glTF shows, each of its instances by itself;
+  // what an OBJ has under one name of "o", or where it has none of those of "g". Other formats name no objects.
+  bool objects = false;
   // Reads images for holes by transparency (Mesh::holes), of glTF alone: alphaMode MASK is exact, BLEND by chance.
   // Without it triangles of such materials are whole, and a remark says so. What holes there are in an image that
   // cannot be read a remark says too.

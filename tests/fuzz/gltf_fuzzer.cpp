@@ -24,6 +24,24 @@ bool are_known(const std::vector<glm::uvec3>& triangles, std::size_t count, std:
   });
 }
 
+// Two texels of whatever the bytes of the image begin with.
+scene::AlphaImage decode_alpha(const std::string&, std::string_view bytes) {
+  if (bytes.size() < 4) throw std::runtime_error("an image of a few bytes");
+  scene::AlphaImage image{.width = 2, .height = 1, .alphas = {}};
+  for (int i = 0; i < 2; ++i) image.alphas.push_back(static_cast<std::uint16_t>(bytes[static_cast<std::size_t>(i)]));
+  return image;
+}
+
+// Of holes, looked up in each triangle.
+std::string fault_of(const scene::Holes& holes, std::size_t triangle_count) {
+  if (holes.numbers.size() != triangle_count) return fmt::format("holes for {} triangles", holes.numbers.size());
+  for (std::size_t t = 0; t < triangle_count; ++t) {
+    const double alpha = holes.alpha(t, {0.25, 0.5});
+    if (!(alpha >= 0 && alpha <= 1)) return fmt::format("an alpha of {}", alpha);
+  }
+  return "";
+}
+
 // Empty where nothing is wrong with the mesh.
 std::string fault_of(const FileMesh& mesh) {
   constexpr std::uint32_t kNone = scene::kNoNormal;  // no vertex has that number either
@@ -37,6 +55,10 @@ std::string fault_of(const FileMesh& mesh) {
                        mesh.materials.size(), mesh.triangles.size());
   }
   if (!are_known(mesh.uv_corners, mesh.uvs.size(), kNone)) return "a corner names unknown texture coordinates";
+  if (mesh.objects.size() != mesh.triangles.size()) return "triangles of no object";
+  if (mesh.holes) {
+    if (const std::string fault = fault_of(*mesh.holes, mesh.triangles.size()); !fault.empty()) return fault;
+  }
   return mesh.contents.cut_out_count > mesh.triangles.size() ? "more cut-outs than triangles" : "";
 }
 
@@ -47,8 +69,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   std::string fault;
   try {
     // In a folder that does not exist: nothing is beside the file.
-    fault = lkao::tests::fault_of(
-        lkao::scene::read_gltf("/nowhere/a.gltf", {reinterpret_cast<const char*>(data), size}, 0));
+    fault = lkao::tests::fault_of(lkao::scene::read_gltf("/nowhere/a.gltf", {reinterpret_cast<const char*>(data), size},
+                                                         {.uv_set = 0, .objects = true, .decode_alpha = decode_alpha}));
   } catch (const std::runtime_error& error) {
     const std::string_view line = error.what();
     if (line.empty() || line.size() > 400 || line.find('\n') != line.npos) {

@@ -34,7 +34,7 @@ json& material_of(GltfBuilder& parts) { return parts.document["materials"][0]; }
 json& texture_of(GltfBuilder& parts) { return material_of(parts)["pbrMetallicRoughness"]["baseColorTexture"]; }
 
 FileMesh read_with_holes(const GltfBuilder& parts, const std::string& path = "") {
-  return read_gltf(path, parts.gltf(), {}, decode_alpha_file);
+  return read_gltf(path, parts.gltf(), {.decode_alpha = decode_alpha_file});
 }
 
 const HoleMaterial& material_of(const FileMesh& mesh) { return mesh.holes->materials.at(0); }
@@ -126,6 +126,27 @@ TEST(GltfHoles, AreNoneWhereNothingIsMissing) {
   GltfBuilder opaque = leaf();
   material_of(opaque)["alphaMode"] = "OPAQUE";
   EXPECT_EQ(read_with_holes(opaque).holes, nullptr);
+}
+
+TEST(GltfHoles, AreOfThoseTrianglesAloneThatShowSome) {
+  // 16 columns, of which one is clear.
+  std::string alphas(16, '\xff');
+  alphas[12] = 0;
+  GltfBuilder parts = leaf(alpha_file(16, 1, alphas));
+  // The first triangle shows columns 0 to 8, the second all of them.
+  json& uvs = parts.primitive()["attributes"]["TEXCOORD_0"];
+  uvs = parts.add_values(std::vector<float>{0, 1, 0.5f, 1, 0.5f, 0, 1, 0}, kFloat, "VEC2", 2);
+  EXPECT_EQ(read_with_holes(parts).holes->numbers, (std::vector<std::uint32_t>{kWhole, 0}));
+  EXPECT_EQ(read_with_holes(parts).contents.cut_out_count, 1u);
+  // Repeated, both show it; clamped, neither.
+  uvs = parts.add_values(std::vector<float>{-0.4f, 0, 0, 0, 0, 1, -0.4f, 1}, kFloat, "VEC2", 2);
+  EXPECT_EQ(read_with_holes(parts).contents.cut_out_count, 2u);
+  parts.document["samplers"][0]["wrapS"] = 33071;
+  EXPECT_EQ(read_with_holes(parts).holes, nullptr);
+  // A neighbour that a smooth image mixes in.
+  uvs = parts.add_values(std::vector<float>{0.7f, 0, 0.74f, 0, 0.74f, 1, 0.7f, 1}, kFloat, "VEC2", 2);
+  parts.document["samplers"][0].erase("magFilter");
+  EXPECT_EQ(read_with_holes(parts).contents.cut_out_count, 2u);
 }
 
 TEST(GltfHoles, OfBlendingAreRemarkedOn) {

@@ -159,6 +159,22 @@ TEST(GltfInstances, TooManyTrianglesAreCountedBeforeTheyAreMade) {
   EXPECT_THAT(refusal(parts), HasSubstr("with all instances it has 560000 vertices and 4900000000 triangles"));
 }
 
+// ---- objects ----
+
+TEST(GltfObjects, AreWhatNodesAndInstancesShow) {
+  GltfBuilder parts = three_cubes();
+  parts.document["meshes"][0]["primitives"].push_back(parts.primitive());
+  const FileMesh plain = read_gltf("", parts.gltf(), {.objects = true});
+  const std::size_t node_count = plain.contents.node_count;
+  EXPECT_EQ(plain.contents.object_count, node_count);
+  ASSERT_EQ(plain.objects.size(), 24 * node_count);
+  for (std::size_t t = 0; t < plain.objects.size(); ++t) EXPECT_EQ(plain.objects[t], t / 24);
+  EXPECT_TRUE(read(parts).objects.empty());
+  GltfBuilder instances = gltf_cube();
+  instancing(instances)["TRANSLATION"] = instances.add_values(std::vector<glm::vec3>(3), kFloat, "VEC3", 1);
+  EXPECT_EQ(read_gltf("", instances.gltf(), {.objects = true}).contents.object_count, 3u);
+}
+
 // ---- contents ----
 
 TEST(GltfContents, UvSetsAreCounted) {

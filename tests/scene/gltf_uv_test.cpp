@@ -13,7 +13,9 @@ using nlohmann::json;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-FileMesh read_uvs(const GltfBuilder& builder, int uv_set = 0) { return read_gltf("", builder.gltf(), uv_set); }
+FileMesh read_uvs(const GltfBuilder& builder, int uv_set = 0) {
+  return read_gltf("", builder.gltf(), {.uv_set = uv_set});
+}
 
 // The square with these texture coordinates of vertices, its triangles (0, 1, 2) and (0, 2, 3), and a material.
 template <typename Number>

@@ -115,6 +115,29 @@ TEST(Holes, StayWithTheirTriangles) {
   EXPECT_EQ(joined.holes->alpha(5, {0.4, 0.05}), 1);
 }
 
+TEST(Holes, StayWithTheirObjects) {
+  Mesh mesh = square({.cut_off = 0.5, .factor = 1, .texture = half_clear()});
+  append(mesh, mesh);
+  mesh.objects = {1, 0, 1, kNoObject};
+  const std::vector<Mesh> objects = split_by_objects(mesh);
+  ASSERT_EQ(objects.size(), 2u);
+  EXPECT_EQ(objects[0].positions, (std::vector<glm::vec3>{{0, 0, 0}, {1, 1, 0}, {0, 1, 0}}));
+  EXPECT_EQ(objects[0].triangles, (std::vector<glm::uvec3>{{0, 1, 2}}));
+  EXPECT_EQ(objects[0].holes->alpha(0, {0.4, 0.5}), 0);
+  EXPECT_EQ(objects[0].holes->alpha(0, {0.6, 0.3}), 1);
+  EXPECT_EQ(objects[1].positions.size(), 6u);
+  EXPECT_EQ(objects[1].triangles, (std::vector<glm::uvec3>{{0, 1, 2}, {3, 4, 5}}));
+  EXPECT_EQ(objects[1].holes->alpha(1, {0.4, 0.05}), 0);
+  mesh.objects = {0, 0, kNoObject, kNoObject};
+  append(mesh, mesh);
+  EXPECT_EQ(mesh.objects,
+            (std::vector<std::uint32_t>{0, 0, kNoObject, kNoObject, kNoObject, kNoObject, kNoObject, kNoObject}));
+  mesh.positions[1] = mesh.positions[0];
+  drop_bad_triangles(mesh);
+  EXPECT_EQ(mesh.objects.size(), mesh.triangles.size());
+  EXPECT_LT(mesh.objects.size(), 8u);
+}
+
 TEST(Holes, AreLookedThroughByCameras) {
   Mesh mesh = square({.cut_off = 0.5, .factor = 1, .texture = half_clear()});
   append(mesh,

@@ -144,6 +144,19 @@ TEST_F(Obj, HolesByTransparencyAreSaid) {
                                 "material \"pane 1#2\" has holes by transparency: its 1 triangles block as if whole"}));
 }
 
+TEST_F(Obj, ObjectsAreWhatStandsUnderOneName) {
+  const auto objects = [&](const std::string& text) {
+    return open_mesh_file(folder_.write("a.obj", kPoints + text), {.objects = true});
+  };
+  const std::string groups = "g a\nf 1 2 3\ng b\nf 1 2 3 4\ng a\nf 1 2 3\n";
+  EXPECT_EQ(objects(groups).mesh.objects, (std::vector<std::uint32_t>{1, 2, 2, 1}));
+  EXPECT_EQ(objects("f 1 2 3\no x\n" + groups + "o y\nf 2 3 4\n").mesh.objects,
+            (std::vector<std::uint32_t>{0, 1, 1, 1, 1, 2}));
+  EXPECT_EQ(objects(groups).contents.object_count, 3u);
+  EXPECT_TRUE(objects("f 1 2 3\n").mesh.objects.empty());
+  EXPECT_TRUE(open(groups).mesh.objects.empty());
+}
+
 TEST_F(Obj, MaterialFilesAreNoReasonToRefuse) {
   folder_.write("a.mtl", std::string("newmtl \0\xff\nd\nd nothing\nmap_d\nTr\naniso 0.7\nnewmtl", 47));
   EXPECT_EQ(open("mtllib a.mtl\nmtllib\nmtllib .\nmtllib /dev/zero\nusemtl\n" + kPoints + "f 1 2 3\n")

@@ -33,7 +33,8 @@ struct FileMesh {
   std::vector<glm::vec2> uvs;
   std::vector<glm::uvec3> uv_corners;
   std::vector<std::uint32_t> materials;
-  std::shared_ptr<const Holes> holes;  // likewise
+  std::vector<std::uint32_t> objects;
+  std::shared_ptr<const Holes> holes;
   std::vector<Fan> fans;
   Contents contents;
 

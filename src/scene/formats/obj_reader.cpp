@@ -64,8 +64,12 @@ Corner parse_corner(std::string_view word) {
 class ObjReader {
  public:
   // Numbers of vertices above `vertex_limit` are refused at once.
-  ObjReader(std::string_view text, std::size_t vertex_limit, std::optional<int> uv_set)
-      : words_(text), vertex_limit_(vertex_limit), wants_uvs_(uv_set == 0), wants_materials_(uv_set.has_value()) {}
+  ObjReader(std::string_view text, std::size_t vertex_limit, std::optional<int> uv_set, bool wants_objects)
+      : words_(text),
+        vertex_limit_(vertex_limit),
+        wants_uvs_(uv_set == 0),
+        wants_materials_(uv_set.has_value()),
+        wants_objects_(wants_objects) {}
 
   void read() {
     try {
@@ -75,6 +79,7 @@ class ObjReader {
     }
     if (!has_normals_) mesh_.normals.clear();
     if (mesh_.contents.materials.empty()) mesh_.materials.clear();
+    take_objects();
     if (surface_count_ > 0) {
       mesh_.contents.remarks.push_back(fmt::format("{} free-form surfaces are left out", surface_count_));
     }
@@ -93,6 +98,25 @@ class ObjReader {
     std::size_t triangle_count = 0;
   };
 
+  // Triangles by the name that they stand under; by none at first.
+  struct Names {
+    std::unordered_map<std::string_view, std::uint32_t> numbers = {{"", 0}};
+    std::uint32_t now = 0;
+    std::vector<std::uint32_t> of_triangles = {};
+
+    void use(std::string_view name) {
+      now = numbers.try_emplace(name, static_cast<std::uint32_t>(numbers.size())).first->second;
+    }
+    bool has_any() const { return numbers.size() > 1; }
+  };
+
+  void take_objects() {
+    Names& names = objects_.has_any() ? objects_ : groups_;
+    if (!names.has_any()) return;
+    mesh_.objects = std::move(names.of_triangles);
+    mesh_.contents.object_count = names.numbers.size();
+  }
+
   void read_line(std::string_view keyword) {
     if (keyword == "v") {
       read_vertex();
@@ -105,6 +129,10 @@ class ObjReader {
       if (wants_uvs_) read_uv();
     } else if (keyword == "usemtl") {
       use_material(words_.take_rest());
+    } else if (keyword == "o" && wants_objects_) {
+      objects_.use(words_.take_rest());
+    } else if (keyword == "g" && wants_objects_) {
+      groups_.use(words_.take_rest());
     } else if (keyword == "mtllib") {
       libraries_.push_back(words_.take_rest());
     } else if (keyword == "surf" || keyword == "bzp" || keyword == "bsp" || keyword == "cdp") {
@@ -172,6 +200,10 @@ class ObjReader {
     const std::span<const std::uint32_t> normals(polygon_normals_);
     mesh_.add_polygon(polygon_, has_normals_ ? normals : normals.first(0), polygon_uvs_);
     if (material_ != nullptr) material_->triangle_count += mesh_.triangles.size() - count_before;
+    if (wants_objects_) {
+      objects_.of_triangles.resize(mesh_.triangles.size(), objects_.now);
+      groups_.of_triangles.resize(mesh_.triangles.size(), groups_.now);
+    }
     if (wants_materials_) {
       mesh_.materials.resize(mesh_.triangles.size(), material_ != nullptr ? material_->number : kNoMaterial);
     }
@@ -201,6 +233,7 @@ class ObjReader {
   std::size_t vertex_limit_;
   bool wants_uvs_;
   bool wants_materials_;
+  bool wants_objects_;
   std::size_t largest_number_ = 0;
   FileMesh mesh_;
   bool has_normals_ = false;
@@ -209,6 +242,7 @@ class ObjReader {
   std::vector<std::string_view> libraries_;
   std::unordered_map<std::string_view, Material> materials_;
   Material* material_ = nullptr;  // that faces get now
+  Names objects_, groups_;
 };
 
 // A library may be several files, or one with blanks in its name. A missing one is no fault: AO needs no materials.
@@ -236,15 +270,17 @@ void ObjReader::find_cut_outs(const ReadBeside& read_beside) {
 
 }  // namespace
 
-FileMesh read_obj(std::string_view bytes, const ReadBeside& read_beside, std::optional<int> uv_set) {
+FileMesh read_obj(std::string_view bytes, const ReadBeside& read_beside, std::optional<int> uv_set,
+                  bool wants_objects) {
   const std::string_view text = without_byte_order_mark(bytes);
   if (text.find('\0') != text.npos) throw std::runtime_error("malformed OBJ: it is not text");
   // The file has more bytes than vertices, and numbers of vertices must fit 32 bits.
-  ObjReader reader(text, std::min<std::size_t>(text.size(), std::numeric_limits<std::uint32_t>::max()), uv_set);
+  ObjReader reader(text, std::min<std::size_t>(text.size(), std::numeric_limits<std::uint32_t>::max()), uv_set,
+                   wants_objects);
   reader.read();
   // Only a second look finds the line of a number that no vertex further down has.
   const std::size_t vertex_count = reader.mesh().positions.size();
-  if (reader.largest_number() > vertex_count) ObjReader(text, vertex_count, uv_set).read();
+  if (reader.largest_number() > vertex_count) ObjReader(text, vertex_count, uv_set, wants_objects).read();
   reader.find_cut_outs(read_beside);
   return std::move(reader.mesh());
 }

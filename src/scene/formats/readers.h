@@ -27,15 +27,21 @@ FileMesh read_off(std::string_view bytes, std::optional<int> uv_set = {});
 using ReadBeside = std::function<std::optional<std::string>(const std::string& name)>;
 
 // OBJ: faces; lines, points and free-form surfaces are left out. Material files are looked at for holes by transparency
-// alone.
-FileMesh read_obj(std::string_view bytes, const ReadBeside& read_beside, std::optional<int> uv_set = {});
+// alone. `wants_objects`: as of ReadOptions::objects.
+FileMesh read_obj(std::string_view bytes, const ReadBeside& read_beside, std::optional<int> uv_set = {},
+                  bool wants_objects = false);
 
 // STL: text and binary. Corners at equal positions are joined; normals and colours are not read.
 FileMesh read_stl(std::string_view bytes);
 
+struct GltfWishes {
+  std::optional<int> uv_set = {};
+  bool objects = false;           // as of ReadOptions
+  DecodeAlpha decode_alpha = {};  // for holes by transparency
+};
+
 // glTF 2.0 and GLB, whatever the file's name ends in. Buffers in files of their own are found beside `path`. What is
-// shown or used many times takes its memory as often. With `decode_alpha` holes by transparency are read too.
-FileMesh read_gltf(const std::string& path, std::string_view bytes, std::optional<int> uv_set = {},
-                   const DecodeAlpha& decode_alpha = {});
+// shown or used many times takes its memory as often.
+FileMesh read_gltf(const std::string& path, std::string_view bytes, const GltfWishes& wishes = {});
 
 }  // namespace lkao::scene

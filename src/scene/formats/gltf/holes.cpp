@@ -5,6 +5,7 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <glm/common.hpp>
 
 #include "scene/formats/file_bytes.h"
 #include "scene/formats/gltf/textures.h"
@@ -44,8 +45,15 @@ std::optional<Value> source_of(const Value& texture) {
   return source;
 }
 
-double least_of(const AlphaImage& image) {
-  return *std::min_element(image.alphas.begin(), image.alphas.end()) / 65535.0;
+// Nothing of it is missing.
+bool is_whole(const HoleTriangle& triangle, const HoleMaterial& material) {
+  const double own =
+      material.factor * static_cast<double>(*std::min_element(triangle.alphas.begin(), triangle.alphas.end()));
+  const double needed = material.cut_off.value_or(1);
+  if (!material.texture || !(own > 0)) return own >= needed;
+  const auto& [a, b, c] = triangle.uvs;
+  return material.texture->is_at_least(needed / own, glm::dvec2(glm::min(a, glm::min(b, c))),
+                                       glm::dvec2(glm::max(a, glm::max(b, c))));
 }
 
 // One a vertex; opaque where colours have none.
@@ -90,18 +98,20 @@ std::vector<HoleTriangle> HoleReader::read(const Primitive& primitive, const std
   if (alpha_mode_of(material) == AlphaMode::opaque) return {};
   const Look& look = look_of(material, index->count());
   const std::vector<float> alphas = alphas_of(primitive);
-  const float least = alphas.empty() ? 1 : *std::min_element(alphas.begin(), alphas.end());
-  if (look.least * static_cast<double>(least) >= materials_[look.number].cut_off.value_or(1)) return {};
-
   const std::vector<glm::vec2> uvs = look.texture ? uvs_of(primitive, *look.texture) : std::vector<glm::vec2>();
   std::vector<HoleTriangle> holes(triangles.size(), {.material = look.number});
+  std::size_t whole_count = 0;
   for (std::size_t t = 0; t < triangles.size(); ++t) {
     for (std::size_t i = 0; i < 3; ++i) {
       const std::uint32_t vertex = triangles[t][static_cast<int>(i)];
       holes[t].alphas[i] = alphas[vertex];
       if (look.texture) holes[t].uvs[i] = uvs[vertex];
     }
+    if (!is_whole(holes[t], materials_[look.number])) continue;
+    holes[t].material = kWhole;
+    ++whole_count;
   }
+  if (whole_count == holes.size()) holes.clear();
   return holes;
 }
 
@@ -120,8 +130,7 @@ const HoleReader::Look& HoleReader::look_of(const Value& material, std::size_t n
     holes.factor = factor[3];
   }
   if (colour.texture) holes.texture = open_texture(*colour.texture, name_of(material));
-  const double least = holes.factor * (holes.texture ? least_of(*holes.texture->image) : 1);
-  const Look look{static_cast<std::uint32_t>(materials_.size()), holes.texture ? colour.texture : std::nullopt, least};
+  const Look look{static_cast<std::uint32_t>(materials_.size()), holes.texture ? colour.texture : std::nullopt};
   materials_.push_back(std::move(holes));
   return looks_.emplace(number, look).first->second;
 }
@@ -148,8 +157,11 @@ std::shared_ptr<const AlphaImage> HoleReader::decode(const Value& image, const s
   const std::optional<Value> uri = image.find("uri");
   const std::string name = uri && !is_data_uri(uri->text()) ? printable(uri->text()) : image.place();
   try {
-    auto decoded = std::make_shared<const AlphaImage>(decode_(name, bytes_of(image, name)));
-    if (decoded->size() > 0) return decoded;
+    auto decoded = std::make_shared<AlphaImage>(decode_(name, bytes_of(image, name)));
+    if (decoded->size() > 0) {
+      decoded->least = *std::min_element(decoded->alphas.begin(), decoded->alphas.end());
+      return decoded;
+    }
     faults_.push_back({name + " has no pixels", material});
   } catch (const std::runtime_error& error) {
     faults_.push_back({error.what(), material});

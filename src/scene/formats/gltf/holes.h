@@ -33,9 +33,9 @@ class HoleReader {
 
   bool is_reading() const { return static_cast<bool>(decode_); }
 
-  // Of the triangles of a primitive; empty where they are whole: where the material is opaque, or its alpha is so much
-  // everywhere that nothing is missing. Throws std::runtime_error with the fault where the document is wrong. An image
-  // that cannot be read is a remark.
+  // Of the triangles of a primitive, with kWhole as their material where alpha is so much on all of them that nothing
+  // is missing; empty where all are whole. Throws std::runtime_error with the fault where the document is wrong. An
+  // image that cannot be read is a remark.
   std::vector<HoleTriangle> read(const Primitive& primitive, const std::vector<glm::uvec3>& triangles);
 
   // Those that triangles name.
@@ -48,7 +48,6 @@ class HoleReader {
   struct Look {
     std::uint32_t number;  // in materials_
     std::optional<Value> texture;
-    double least;  // alpha, but for that of the corners, is nowhere less
   };
 
   struct Fault {

@@ -15,9 +15,11 @@
 
 namespace lkao::scene::gltf {
 
-SceneReader::SceneReader(const Value& root, Buffers& buffers, std::optional<int> uv_set, HoleReader holes)
+SceneReader::SceneReader(const Value& root, Buffers& buffers, std::optional<int> uv_set, bool wants_objects,
+                         HoleReader holes)
     : root_(root),
       uv_set_(uv_set),
+      wants_objects_(wants_objects),
       accessors_(root, buffers),
       nodes_(root),
       hole_reader_(std::move(holes)),
@@ -126,6 +128,9 @@ void SceneReader::add_instance(const Shape& shape, std::span<const std::uint32_t
     count_cut_outs(part);
     mesh_.contents.uv_set_count = std::max(mesh_.contents.uv_set_count, part.uv_set_count);
   }
+  if (!wants_objects_) return;
+  mesh_.objects.resize(mesh_.triangles.size(), static_cast<std::uint32_t>(mesh_.contents.object_count));
+  ++mesh_.contents.object_count;
 }
 
 template <typename TransformOf>
@@ -185,6 +190,10 @@ void SceneReader::add_holes(const Part& part, const Block& block) {
   holes_.numbers.resize(mesh_.triangles.size() - part.triangles.size(), kWhole);
   for (std::size_t t = 0; t < part.triangles.size(); ++t) {
     HoleTriangle holes = part.holes[t];
+    if (holes.material == kWhole) {
+      holes_.numbers.push_back(kWhole);
+      continue;
+    }
     if (block.is_mirrored[part.triangles[t].x]) holes.turn_round();
     holes_.numbers.push_back(static_cast<std::uint32_t>(holes_.triangles.size()));
     holes_.triangles.push_back(holes);
@@ -224,7 +233,9 @@ void SceneReader::count_cut_outs(const Part& part) {
   const std::optional<Value> name = material.find("name");
   CutOut& cut_out = cut_outs_[*part.material];
   cut_out.material = name ? printable(name->text()) : material.place();
-  cut_out.triangle_count += part.triangles.size();
+  const auto has_holes = [](const HoleTriangle& holes) { return holes.material != kWhole; };
+  cut_out.triangle_count += part.holes.empty() ? part.triangles.size()
+                                               : static_cast<std::size_t>(std::ranges::count_if(part.holes, has_holes));
   if (part.holes.empty()) return;
   cut_out.kind = mode == AlphaMode::mask ? CutOut::Kind::mask : CutOut::Kind::blend;
 }

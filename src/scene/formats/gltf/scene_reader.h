@@ -23,7 +23,7 @@ class SceneReader {
  public:
   // uv_set: the number of the texture coordinates to read, with materials; neither where it is nothing. `holes` is
   // asked about the same document.
-  SceneReader(const Value& root, Buffers& buffers, std::optional<int> uv_set, HoleReader holes);
+  SceneReader(const Value& root, Buffers& buffers, std::optional<int> uv_set, bool wants_objects, HoleReader holes);
 
   // Throws std::runtime_error with the fault, std::bad_alloc where the memory is not enough.
   FileMesh read() &&;
@@ -71,6 +71,7 @@ class SceneReader {
 
   Value root_;
   std::optional<int> uv_set_;
+  bool wants_objects_;
   Accessors accessors_;
   Nodes nodes_;
   HoleReader hole_reader_;

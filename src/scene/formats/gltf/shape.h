@@ -42,7 +42,7 @@ struct Part {
   std::optional<std::size_t> material;
   std::size_t uv_set_count;
   std::optional<PartUvs> uvs = {};       // where they were asked for, and it has them
-  std::vector<HoleTriangle> holes = {};  // of each triangle; empty where they are whole
+  std::vector<HoleTriangle> holes = {};  // as of HoleReader::read()
 };
 
 struct Shape {
