@@ -165,18 +165,15 @@ std::unique_ptr<scene::GltfFile> open_model(const BakeOptions& options) {
   return model;
 }
 
-std::vector<std::string> inputs_of(const BakeOptions& options, const scene::GltfFile* model) {
+std::vector<std::string> inputs_of(const BakeOptions& options) {
   std::vector<std::string> inputs = options.baking.parts.with_merged(options.baking.scene.inputs());
   if (!options.texture.detailed.empty()) inputs.push_back(options.texture.detailed);
-  for (std::string& path : model != nullptr ? model->neighbours() : std::vector<std::string>()) {
-    inputs.push_back(std::move(path));
-  }
   return inputs;
 }
 
 void bake_part(BakeOptions options) {
   BakingOptions& baking = options.baking;
-  answer_part(baking.parts, options.output, options.common, inputs_of(options, nullptr), [&](ProgressBar& progress) {
+  answer_part(baking.parts, options.output, options.common, inputs_of(options), [&](ProgressBar& progress) {
     return options.texture.size ? compute_texture_baking(baking, options.texture, progress).baking.batch
                                 : compute_baking(baking, progress).batch;
   });
@@ -184,7 +181,7 @@ void bake_part(BakeOptions options) {
 
 void bake_textures(const BakeOptions& options) {
   const std::unique_ptr<scene::GltfFile> model = open_model(options);
-  OutputFiles outputs(inputs_of(options, model.get()));
+  OutputFiles outputs(inputs_of(options));
   const JsonOutput json(options.common.json_path, outputs);
 
   ProgressBar progress(!options.common.quiet);
@@ -201,7 +198,7 @@ void bake(const BakeOptions& options) {
   if (options.baking.parts.part) return bake_part(options);
   if (options.texture.size) return bake_textures(options);
   const std::unique_ptr<scene::GltfFile> model = open_model(options);
-  OutputFiles outputs(inputs_of(options, model.get()));
+  OutputFiles outputs(inputs_of(options));
   const std::string mesh_path = outputs.claim(options.output);
   const JsonOutput json(options.common.json_path, outputs);
 
@@ -237,6 +234,11 @@ void add_baking_options(CLI::App& app, BakingOptions& options) {
 
 void add_options(CLI::App& app, BakeOptions& options) {
   add_scene_options(app, options.baking.scene, "gets nothing");
+  CLI::Option* const own_object = app.add_flag(
+      "--own-object", options.baking.scene.own_object,
+      "Each object is blocked by its own triangles alone, as if the others were far away: what a node of a "
+      "glTF shows, or what an .obj has under one name of \"o\", or of \"g\" where it has no \"o\"");
+  for (const char* name : {"--ground", "--blockers"}) own_object->excludes(app.get_option(name));
   add_parsed(app, "--up", options.baking.up, parse_vector, "What is up, for --ground (default: 0,1,0)")
       ->type_name("X,Y,Z");
   app.add_option(

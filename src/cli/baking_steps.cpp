@@ -21,11 +21,11 @@ Asker::Asker(const BakingOptions& options, Baking& result, ProgressBar& progress
     : ray_count_(options.occlusion.ray_count),
       result_(result),
       progress_(progress),
-      method_(open_method(options.method, options.parts)) {
+      method_(open_method(options.method, options.parts, options.scene.own_object)) {
   progress.begin("building the hierarchy");
   method::Occluders occluders(result.scene.occluders());
   method_->prepare({occluders, options.occlusion.question(result.radius)});
-  result.build_seconds = occluders.build_seconds();
+  result.build_seconds = occluders.build_seconds() + method_->build_seconds();
 }
 
 std::vector<float> Asker::operator()(std::span<const Receiver> receivers) const {

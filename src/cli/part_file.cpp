@@ -10,6 +10,7 @@
 
 #include "cli/json_output.h"
 #include "lkao/version.h"
+#include "scene/holes.h"
 
 namespace lkao::cli {
 namespace {
@@ -39,6 +40,16 @@ class Fingerprint {
 
   std::uint64_t value_ = 0xcbf29ce484222325;
 };
+
+// What images and corners say.
+void add_holes(const scene::Holes& holes, Fingerprint& fingerprint) {
+  fingerprint.add(std::span(holes.triangles));
+  for (const scene::HoleMaterial& material : holes.materials) {
+    if (!material.texture) continue;
+    const std::vector<std::uint16_t>& alphas = material.texture->image->alphas;
+    fingerprint.add(std::span<const std::uint32_t>(std::vector<std::uint32_t>(alphas.begin(), alphas.end())));
+  }
+}
 
 template <typename Value>
 void write_values(std::ofstream& file, std::span<const Value> values) {
@@ -82,6 +93,7 @@ std::uint64_t fingerprint_of(const scene::Mesh& mesh) {
   Fingerprint fingerprint;
   fingerprint.add(std::span(mesh.positions));
   fingerprint.add(std::span(mesh.triangles));
+  if (mesh.holes) add_holes(*mesh.holes, fingerprint);
   return fingerprint.value();
 }
 

@@ -10,6 +10,7 @@
 
 #include "cli/json_output.h"
 #include "cli/output_files.h"
+#include "cli/own_objects.h"
 #include "cli/parse.h"
 #include "cli/parsed_option.h"
 #include "cli/part_method.h"
@@ -75,9 +76,9 @@ std::string part_path(const std::string& output, const Part& part) {
   return fmt::format("{}.{}of{}.part", output, part.number, part.count);
 }
 
-std::unique_ptr<method::Method> open_method(const MethodOptions& method, const PartOptions& parts) {
+std::unique_ptr<method::Method> open_method(const MethodOptions& method, const PartOptions& parts, bool own_object) {
   if (!parts.merged.empty()) return replay_parts(method.kind->abilities(method.settings), parts.merged);
-  std::unique_ptr<method::Method> opened = method.kind->open(method.settings);
+  std::unique_ptr<method::Method> opened = own_object ? open_for_objects(method) : method.kind->open(method.settings);
   return parts.writer ? record_part(std::move(opened), *parts.writer) : std::move(opened);
 }
 

@@ -42,8 +42,10 @@ void check_part(const PartOptions& options, const MethodOptions& method);
 // "atrium.exr.3of8.part": where a part of the run whose output is "atrium.exr" goes.
 std::string part_path(const std::string& output, const Part& part);
 
-// The method, answering a part, or from parts, where that is asked for. The options must outlive it.
-std::unique_ptr<method::Method> open_method(const MethodOptions& method, const PartOptions& parts);
+// The method, answering a part, or from parts, where that is asked for. `own_object`: of every object by itself
+// (own_objects.h). The options must outlive it.
+std::unique_ptr<method::Method> open_method(const MethodOptions& method, const PartOptions& parts,
+                                            bool own_object = false);
 
 // A run of one part, `compute`'s, whose options must be those that `parts` is of: its file, and the report. `inputs`
 // are what it reads.

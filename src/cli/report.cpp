@@ -112,6 +112,7 @@ void add_surroundings_row(Table& table, const SceneOptions& options, const Scene
 
 void add_surroundings_keys(Json& document, const SceneOptions& options, const SceneInput& scene) {
   if (options.flip) document["flipped"] = true;
+  if (options.own_object) document["own_objects"] = scene.contents.object_count;
   if (!options.has_surroundings()) return;
   document["occluders"] = {
       {"triangles", scene.occluders().triangles.size()}, {"ground", options.ground}, {"blockers", options.blockers}};

@@ -54,8 +54,14 @@ SceneInput load_scene(const SceneOptions& options) {
   SceneInput scene;
   scene.name = options.name;
   scene.opaque = options.opaque;
-  scene::MeshFile file =
-      scene::open(options.name, {.uv_set = options.uv_set, .decode_alpha = alpha_decoder(scene.opaque)});
+  scene::MeshFile file = scene::open(
+      options.name,
+      {.uv_set = options.uv_set, .objects = options.own_object, .decode_alpha = alpha_decoder(scene.opaque)});
+  if (options.own_object && file.mesh.objects.empty()) {
+    throw std::runtime_error(fmt::format(
+        "--own-object: {} names no objects; the nodes of a glTF are some, and what an .obj has under \"o\" or \"g\"",
+        options.name));
+  }
   scene.contents = file.contents;
   scene.mesh = usable_mesh(options.name, std::move(file), scene.defects, scene.notes);
   if (options.flip) scene::turn_round(scene.mesh);

@@ -1,15 +1,38 @@
 #include "cli/scene_options.h"
 
+#include <stdexcept>
+#include <utility>
+
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include "cli/gltf_output.h"
+#include "scene/gltf_writer.h"
 #include "scene/ground.h"
 
 namespace lkao::cli {
 
+namespace {
+
+// The buffers and images of a glTF. What is wrong with it is said by who loads it.
+std::vector<std::string> files_beside(const std::string& model) {
+  if (!is_gltf(model)) return {};
+  try {
+    return scene::GltfFile(model, model).neighbours();
+  } catch (const std::runtime_error&) {
+    return {};
+  }
+}
+
+}  // namespace
+
 std::vector<std::string> SceneOptions::inputs() const {
   std::vector<std::string> inputs = blockers;
   inputs.push_back(name);
+  const std::vector<std::string> models = inputs;
+  for (const std::string& model : models) {
+    for (std::string& file : files_beside(model)) inputs.push_back(std::move(file));
+  }
   return inputs;
 }
 

@@ -18,9 +18,10 @@ struct SceneOptions {
   bool ground = false;
   std::vector<std::string> blockers = {};  // mesh files
   std::optional<int> uv_set = {};          // texture coordinates to read; set by who needs them
+  bool own_object = false;                 // objects are read, and each is to be blocked by itself alone
 
   bool has_surroundings() const { return ground || !blockers.empty(); }
-  // All that is read: names that are no files do no harm.
+  // All that is read, files that a glTF names among it: names that are no files do no harm.
   std::vector<std::string> inputs() const;
 };
 

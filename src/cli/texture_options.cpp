@@ -89,7 +89,8 @@ void add_map_options(CLI::App& app, CLI::Option* texture, TextureSettings& setti
              "and each of its points stands for the nearest of the detailed surface along the smooth normal")
           ->type_name("FILE")
           ->needs(texture);
-  for (const char* name : {"--ground", "--blockers", "--flip"}) detailed->excludes(app.get_option(name));
+  for (const char* name : {"--ground", "--blockers", "--flip", "--own-object"})
+    detailed->excludes(app.get_option(name));
   add_parsed(app, "--extrusion", settings.extrusion, parse_extrusion,
              "How far the detailed surface may be from the scene's, inside or outside: a length, or a share of the "
              "diagonal of the scene's box (default: 2%)")

@@ -96,10 +96,15 @@ TEST_F(HolesOfModels, AreLookedThroughAndBlockNothing) {
 TEST_F(HolesOfModels, AreBakedOfAndPartsAreTheWhole) {
   const std::string model = write_file("card.glb", card_over_floor(checks_png()).glb());
   expect_success(bake(model, "whole.exr", {"--texture", "32", "--material", "no material"}));
-  expect_success(bake(model, "opaque.ply"));
+  expect_success(bake(model, "holes.ply"));
   for (const char* const part : {"1/2", "2/2"}) expect_success(bake(model, "out.ply", {"--part", part}));
   expect_success({"merge", path("out.ply.1of2.part"), path("out.ply.2of2.part"), "--quiet"});
-  EXPECT_EQ(read_file("out.ply"), read_file("opaque.ply"));
+  EXPECT_EQ(read_file("out.ply"), read_file("holes.ply"));
+  // Not of another image.
+  write_file("card.glb", card_over_floor(clear_and_opaque_webp()).glb());
+  expect_rejected({"merge", path("out.ply.1of2.part"), path("out.ply.2of2.part"), "--quiet"},
+                  {"the scene has changed"});
+  write_file("card.glb", card_over_floor(checks_png()).glb());
   // Half of the card is there: the middle of the floor gets about half of what the whole card hides.
   const ProgramResult whole =
       run_program(bake(model, "opaque.exr", {"--texture", "32", "--opaque", "--material", "no material"}));
@@ -109,8 +114,8 @@ TEST_F(HolesOfModels, AreBakedOfAndPartsAreTheWhole) {
   for (std::size_t y = 12; y < 20; ++y) {
     for (std::size_t x = 12; x < 20; ++x) {
       const std::size_t i = (32 * y + x) * holes.channels.size();
-      sums[0] += static_cast<double>(holes.pixels[i]);
-      sums[1] += static_cast<double>(none.pixels[i]);
+      sums[0] += 1 - static_cast<double>(holes.pixels[i]);
+      sums[1] += 1 - static_cast<double>(none.pixels[i]);
     }
   }
   EXPECT_GT(sums[1] / 64, 0.4);
@@ -143,6 +148,17 @@ TEST_F(HolesOfModels, OfImagesThatAreBrokenAreOneLine) {
   EXPECT_THAT(result.err, testing::StartsWith("lkao: " + model + ": cannot read 'images[0]': "));
   EXPECT_THAT(result.err, testing::EndsWith(": it counts as opaque, in material \"leaf\"\n"));
   EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1);
+}
+
+TEST_F(HolesOfModels, AreNotOverwrittenByPictures) {
+  GltfBuilder parts = card_over_floor(checks_png());
+  const std::string image = write_file("checks.png", checks_png());
+  parts.document["images"][0] = {{"uri", "checks.png"}};
+  const std::string model = write_file("card.gltf", parts.gltf());
+  expect_success(render(model, "out.png"));
+  expect_rejected(render(model, "checks.png"), {"checks.png': it is an input"});
+  expect_rejected(bake(model, "checks.png", {"--texture", "16"}), {"checks.png': it is an input"});
+  expect_rejected(render("builtin:wall", "checks.png", {"--blockers", model}), {"checks.png': it is an input"});
 }
 
 TEST_F(HolesOfModels, OfWebPAreRead) {
