@@ -92,13 +92,14 @@ void Holes::add(const Holes& other, std::size_t triangle) {
 }
 
 bool AlphaTexture::is_at_least(double alpha, const glm::dvec2& lower, const glm::dvec2& upper) const {
-  constexpr double kMostTexels = 4096;
+  constexpr double kMostTexels = 4096, kFarthest = 1e9;  // beyond, numbers of texels are coarse
   if (image->least / 65535.0 >= alpha) return true;
   // One texel more on each side: smooth images show it, and so does what rounding puts beyond the box.
   const glm::dvec2 size(image->width, image->height);
   const glm::dvec2 first = glm::floor(lower * size) - 1.0, last = glm::floor(upper * size) + 1.0;
   const glm::dvec2 count = last - first + 1.0;
-  if (!(count.x * count.y <= kMostTexels)) return false;
+  const glm::dvec2 far = glm::max(glm::abs(first), glm::abs(last));
+  if (!(count.x * count.y <= kMostTexels && far.x < kFarthest && far.y < kFarthest)) return false;
   for (double y = first.y; y <= last.y; ++y) {
     for (double x = first.x; x <= last.x; ++x) {
       const int column = wrapped(x, image->width, wraps.u), row = wrapped(y, image->height, wraps.v);

@@ -143,6 +143,9 @@ TEST(GltfHoles, AreOfThoseTrianglesAloneThatShowSome) {
   EXPECT_EQ(read_with_holes(parts).contents.cut_out_count, 2u);
   parts.document["samplers"][0]["wrapS"] = 33071;
   EXPECT_EQ(read_with_holes(parts).holes, nullptr);
+  // So far away that texels are not told apart.
+  uvs = parts.add_values(std::vector<float>(8, 1e20f), kFloat, "VEC2", 2);
+  EXPECT_EQ(read_with_holes(parts).contents.cut_out_count, 2u);
   // A neighbour that a smooth image mixes in.
   uvs = parts.add_values(std::vector<float>{0.7f, 0, 0.74f, 0, 0.74f, 1, 0.7f, 1}, kFloat, "VEC2", 2);
   parts.document["samplers"][0].erase("magFilter");
