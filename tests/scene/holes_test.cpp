@@ -117,7 +117,7 @@ TEST(Holes, StayWithTheirTriangles) {
 
 TEST(Holes, StayWithTheirObjects) {
   Mesh mesh = square({.cut_off = 0.5, .factor = 1, .texture = half_clear()});
-  append(mesh, mesh);
+  append(mesh, Mesh(mesh));
   mesh.objects = {1, 0, 1, kNoObject};
   const std::vector<Mesh> objects = split_by_objects(mesh);
   ASSERT_EQ(objects.size(), 2u);
@@ -129,7 +129,7 @@ TEST(Holes, StayWithTheirObjects) {
   EXPECT_EQ(objects[1].triangles, (std::vector<glm::uvec3>{{0, 1, 2}, {3, 4, 5}}));
   EXPECT_EQ(objects[1].holes->alpha(1, {0.4, 0.05}), 0);
   mesh.objects = {0, 0, kNoObject, kNoObject};
-  append(mesh, mesh);
+  append(mesh, Mesh(mesh));
   EXPECT_EQ(mesh.objects,
             (std::vector<std::uint32_t>{0, 0, kNoObject, kNoObject, kNoObject, kNoObject, kNoObject, kNoObject}));
   mesh.positions[1] = mesh.positions[0];

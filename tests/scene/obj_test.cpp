@@ -154,7 +154,7 @@ TEST_F(Obj, ObjectsAreWhatStandsUnderOneName) {
             (std::vector<std::uint32_t>{0, 1, 1, 1, 1, 2}));
   EXPECT_EQ(objects(groups).contents.object_count, 3u);
   EXPECT_TRUE(objects("f 1 2 3\n").mesh.objects.empty());
-  EXPECT_TRUE(open(groups).mesh.objects.empty());
+  EXPECT_TRUE(open(kPoints + groups).mesh.objects.empty());
 }
 
 TEST_F(Obj, MaterialFilesAreNoReasonToRefuse) {
