@@ -24,8 +24,8 @@ struct ReadOptions {
   // what an OBJ has under one name of "o", or where it has none of those of "g". Other formats name no objects.
   bool objects = false;
   // Reads images for holes by transparency (Mesh::holes), of glTF alone: alphaMode MASK is exact, BLEND by chance.
-  // Without it triangles of such materials are whole, and a remark says so. What holes there are in an image that
-  // cannot be read a remark says too.
+  // Without it triangles of such materials are whole, and a remark says so. An image that cannot be read counts as
+  // opaque, so that the alpha of factor and colours is left, and is a remark as well.
   DecodeAlpha decode_alpha = {};
 };
 

@@ -10,9 +10,9 @@ namespace lkao::scene {
 namespace {
 
 struct Words {
-  const char* what;  // of a material; of several
-  const char* what_of_many;
-  const char* consequence;  // for its triangles
+  const char* what;          // of a material
+  const char* what_of_many;  // of several
+  const char* consequence;   // for their triangles
 };
 
 constexpr Words kUnread = {"has holes by transparency", "have holes by transparency", "block as if whole"};
