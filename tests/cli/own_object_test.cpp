@@ -9,7 +9,7 @@ namespace {
 using scene::GltfBuilder;
 
 // A floor of 2 x 2 at y = 0, which shows the whole texture, and a wall on its edge at x = -1.
-const char* const kFloorAndWall =
+const char* const kCorner =
     "o corner\nv -1 0 -1\nv 1 0 -1\nv 1 0 1\nv -1 0 1\nv -1 1 -1\nv -1 1 1\n"
     "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n"
     "usemtl floor\nf 1/1 4/4 3/3 2/2\nusemtl other\nf 1 5 6 4\n";
@@ -45,8 +45,8 @@ TEST_F(OwnObject, TwoCloseBoxesAreOpen) {
 }
 
 TEST_F(OwnObject, AnObjectIsBakedAsIfItWereAlone) {
-  const std::string alone = write_file("alone.obj", kFloorAndWall);
-  const std::string both = write_file("both.obj", std::string(kFloorAndWall) + kRoofs);
+  const std::string alone = write_file("alone.obj", kCorner);
+  const std::string both = write_file("both.obj", std::string(kCorner) + kRoofs);
   expect_success(bake(alone, "alone.exr", {"--texture", "16"}));
   expect_success(bake(both, "both.exr", {"--texture", "16"}));
   expect_success(bake(both, "own.exr", {"--texture", "16", "--own-object"}));
@@ -64,7 +64,7 @@ TEST_F(OwnObject, AnObjectIsBakedAsIfItWereAlone) {
 }
 
 TEST_F(OwnObject, PartsAreTheWhole) {
-  const std::string scene = write_file("both.obj", std::string(kFloorAndWall) + kRoofs);
+  const std::string scene = write_file("both.obj", std::string(kCorner) + kRoofs);
   expect_success(bake(scene, "whole.ply", {"--own-object"}));
   for (const char* const part : {"1/3", "2/3", "3/3"}) {
     expect_success(bake(scene, "out.ply", {"--own-object", "--part", part}));
@@ -75,7 +75,7 @@ TEST_F(OwnObject, PartsAreTheWhole) {
 
 TEST_F(OwnObject, IsRefusedWhereThereAreNone) {
   const std::string square = write_file("square.ply", roofed_square_ply());
-  const std::string objects = write_file("both.obj", std::string(kFloorAndWall) + kRoofs);
+  const std::string objects = write_file("both.obj", std::string(kCorner) + kRoofs);
   expect_rejected(bake(square, "out.ply", {"--own-object"}), {"--own-object", "square.ply names no objects"});
   expect_rejected(bake("builtin:wall", "out.ply", {"--own-object"}), {"--own-object", "builtin:wall names no objects"});
   expect_rejected(bake(objects, "out.ply", {"--own-object", "--ground"}), {"--own-object", "--ground"});
