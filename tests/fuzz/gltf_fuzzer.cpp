@@ -28,7 +28,8 @@ bool are_known(const std::vector<glm::uvec3>& triangles, std::size_t count, std:
 scene::AlphaImage decode_alpha(const std::string&, std::string_view bytes) {
   if (bytes.size() < 4) throw std::runtime_error("an image of a few bytes");
   scene::AlphaImage image{.width = 2, .height = 1, .alphas = {}};
-  for (int i = 0; i < 2; ++i) image.alphas.push_back(static_cast<std::uint16_t>(bytes[static_cast<std::size_t>(i)]));
+  for (const char c : bytes.substr(0, 2))
+    image.alphas.push_back(static_cast<std::uint16_t>(257 * static_cast<unsigned char>(c)));
   return image;
 }
 
@@ -69,8 +70,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   std::string fault;
   try {
     // In a folder that does not exist: nothing is beside the file.
-    fault = lkao::tests::fault_of(lkao::scene::read_gltf("/nowhere/a.gltf", {reinterpret_cast<const char*>(data), size},
-                                                         {.uv_set = 0, .objects = true, .decode_alpha = decode_alpha}));
+    fault = lkao::tests::fault_of(
+        lkao::scene::read_gltf("/nowhere/a.gltf", {reinterpret_cast<const char*>(data), size},
+                               {.uv_set = 0, .objects = true, .decode_alpha = lkao::tests::decode_alpha}));
   } catch (const std::runtime_error& error) {
     const std::string_view line = error.what();
     if (line.empty() || line.size() > 400 || line.find('\n') != line.npos) {

@@ -15,7 +15,7 @@ namespace {
 using nlohmann::json;
 using scene::GltfBuilder;
 
-// Nodes in a tree, one hidden; three instances; a strip beside a fan with texture coordinates.
+// Nodes in a tree, one hidden; three instances; a strip beside a fan with texture coordinates, colours and holes.
 GltfBuilder instanced_square() {
   GltfBuilder parts = scene::gltf_square({0, 1, 3, 2}, 5);
   const json node = {{"mesh", 0}, {"rotation", {0, 0, 1, 0}}, {"scale", {-1, 1, 2}}};
@@ -28,12 +28,17 @@ GltfBuilder instanced_square() {
   second["mode"] = 6;
   second["material"] = 0;
   second["attributes"]["TEXCOORD_0"] = parts.add_values(std::vector<std::uint16_t>(8, 3), scene::kUint16, "VEC2", 2);
+  second["attributes"]["COLOR_0"] = parts.add_values(std::vector<std::uint8_t>(16, 1), scene::kUint8, "VEC4", 4);
   const json moved = {{"offset", {1, 2}}, {"rotation", 3}, {"scale", {4, 5}}};
+  const json texture = {{"index", 0}, {"extensions", {{"KHR_texture_transform", moved}}}};
   parts.document["materials"] = {
       {{"name", "a"},
        {"alphaMode", "MASK"},
-       {"normalTexture", {{"index", 0}, {"extensions", {{"KHR_texture_transform", moved}}}}}}};
-  parts.document["textures"] = {{{"sampler", 0}}};
+       {"alphaCutoff", 0.25},
+       {"pbrMetallicRoughness", {{"baseColorFactor", {1, 1, 1, 0.5}}, {"baseColorTexture", texture}}},
+       {"normalTexture", texture}}};
+  parts.document["images"] = {{{"bufferView", parts.add_view(std::string(8, 'a'))}}};
+  parts.document["textures"] = {{{"source", 0}, {"sampler", 0}}};
   parts.document["samplers"] = {{{"wrapS", 33648}}};
   parts.document["meshes"][0]["primitives"].push_back(second);
   return parts;
