@@ -341,6 +341,7 @@ BAD = {
     "extrusion": ({"detailed": (FLOOR, QUADS), "extrusion": 0}, ValueError, "extrusion must be above 0 and finite"),
     "extrusion alone": ({"extrusion": 1.0}, ValueError, "extrusion is for a detailed mesh"),
     "part": ({"part": 1}, TypeError, r"part must be a tuple .*\(k, n\)"),
+    "part and merge": ({"part": (0, 1), "merge": []}, ValueError, "part and merge exclude each other"),
     "part range": ({"part": (3, 3)}, ValueError, "k of part must be from 0 to 2, not 3"),
     "radius": ({"radius": 0.0}, ValueError, "radius.* 0"),
 }

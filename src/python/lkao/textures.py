@@ -187,7 +187,9 @@ def bake_texture(
     ValueError and TypeError naming the argument, and ValueError where no triangle has texture coordinates.
     """
     options = _options(width, height, wrap, udim, material, grid, bent_normals, thickness, level_seams, margin)
-    distance = _extrusion(extrusion, detailed is not None)
+    distance, share = _extrusion(extrusion, detailed is not None), _part(part)
+    if share is not None and merge is not None:
+        raise ValueError("part and merge exclude each other: one bakes a part, the other puts all of them together")
     positions, origin = positions_and_origin(V, None if scene is None else scene.origin)
     triangles = arguments.triangles(F, len(positions))
     n, m = len(positions), len(triangles)
@@ -202,7 +204,6 @@ def bake_texture(
         blockers = (positions, triangles) if detailed is None else detailed
         scene = Scene(*blockers, origin=origin, threads=threads)
     query = AmbientOcclusion(scene, samples, radius=radius, sided=sided, seed=seed, min_distance=min_distance)
-    share = _part(part)
     maps, report = _lkao.bake_texture(
         query._query,
         surface,
