@@ -37,7 +37,7 @@ def load(name: Union[str, "os.PathLike[str]"]) -> Mesh:
 
 
 class MeshFile:
-    """All that a file says of a surface, for bake and bake_texture.
+    """All that a file says of a surface, for bake and bake_texture. Triangles with holes by transparency are whole.
 
     name: as of load. uv_set: which of its texture coordinates.
 
