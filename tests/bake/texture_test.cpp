@@ -203,7 +203,7 @@ TEST(Texture, CanBeWatchedAndStopped) {
   EXPECT_EQ(steps, (std::vector<std::size_t>{0, 128 * 128, 256 * 128, 256 * 128 + 128 * 72, 256 * 200}));
   EXPECT_EQ(baked.report.receiver_count, asked_count);
   EXPECT_EQ(baked.report.texel_count, 256u * 200u);
-  for (const std::size_t last : {0, 128 * 128}) {
+  for (const std::size_t last : {0u, 128u * 128u}) {
     const auto stop = [last](std::size_t done, std::size_t) { return done < last; };
     EXPECT_THROW(bake_texels(normals, scene::bounds_of(mesh), options, dark, {}, stop), Cancelled) << last;
   }
