@@ -65,6 +65,15 @@ struct QueryReport {
   std::size_t invalid_receiver_count = 0;  // answered with NaN
   std::uint64_t ray_count = 0;             // cast
   std::uint64_t blocked_ray_count = 0;
+
+  // As of a query that was answered in parts.
+  QueryReport& operator+=(const QueryReport& part) {
+    receiver_count += part.receiver_count;
+    invalid_receiver_count += part.invalid_receiver_count;
+    ray_count += part.ray_count;
+    blocked_ray_count += part.blocked_ray_count;
+    return *this;
+  }
 };
 
 // Answers queries against one scene with one pattern. Immutable and cheap to copy; every member may be

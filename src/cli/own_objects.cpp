@@ -38,17 +38,6 @@ std::vector<Run> runs_of(std::span<const Receiver> receivers) {
   return runs;
 }
 
-QueryReport sum_of(std::span<const Run> runs) {
-  QueryReport sum;
-  for (const Run& run : runs) {
-    sum.receiver_count += run.report.receiver_count;
-    sum.invalid_receiver_count += run.report.invalid_receiver_count;
-    sum.ray_count += run.report.ray_count;
-    sum.blocked_ray_count += run.report.blocked_ray_count;
-  }
-  return sum;
-}
-
 class OwnObjects final : public Method {
  public:
   explicit OwnObjects(const MethodOptions& options)
@@ -79,7 +68,9 @@ class OwnObjects final : public Method {
       Method& of_object = *methods_.at(receivers[run.begin].excluded_instance);
       run.report = of_object.answer(run.of(receivers), own, first_index + run.begin).report;
     });
-    return {sum_of(runs), watch.seconds()};
+    QueryReport sum;
+    for (const Run& run : runs) sum += run.report;
+    return {sum, watch.seconds()};
   }
 
   method::Remarks remarks() const override {

@@ -70,7 +70,7 @@ class PartPlayer final : public Method {
       const PartAnswers answers = reader.read(count);
       if (answers.scene != scene_ || answers.receivers != asked) reader.fail("the scene has changed since");
       put(answers, first, outputs);
-      add(answers.report, answered.report);
+      answered.report += answers.report;
     }
     return answered;
   }
@@ -81,13 +81,6 @@ class PartPlayer final : public Method {
     if (!outputs.bent_normals.empty()) {
       std::ranges::copy(answers.bent_normals, outputs.bent_normals.subspan(first).begin());
     }
-  }
-
-  static void add(const QueryReport& report, QueryReport& sum) {
-    sum.receiver_count += report.receiver_count;
-    sum.invalid_receiver_count += report.invalid_receiver_count;
-    sum.ray_count += report.ray_count;
-    sum.blocked_ray_count += report.blocked_ray_count;
   }
 
   std::vector<PartReader> parts_;

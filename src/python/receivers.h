@@ -51,12 +51,8 @@ QueryReport answer(const Receivers& receivers, const Progress& progress, const A
   for (std::size_t first = 0; first < receivers.size(); first += part.size()) {
     part.resize(std::min(kPart, receivers.size() - first));
     receivers.get(first, part);
-    const QueryReport report =
+    sum +=
         answer_part(first, std::span<const Receiver>(part), progress_from(progress, first, receivers.size(), weight));
-    sum.receiver_count += report.receiver_count;
-    sum.invalid_receiver_count += report.invalid_receiver_count;
-    sum.ray_count += report.ray_count;
-    sum.blocked_ray_count += report.blocked_ray_count;
   }
   return sum;
 }

@@ -60,11 +60,4 @@ void count(QueryReport& report, const ReceiverRays& rays, const OcclusionMask& b
   report.blocked_ray_count += static_cast<std::uint64_t>(blocked.count());
 }
 
-void add(QueryReport& report, const QueryReport& part) {
-  report.receiver_count += part.receiver_count;
-  report.invalid_receiver_count += part.invalid_receiver_count;
-  report.ray_count += part.ray_count;
-  report.blocked_ray_count += part.blocked_ray_count;
-}
-
 }  // namespace lkao::query

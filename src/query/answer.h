@@ -20,7 +20,4 @@ void store(const QueryOutputs& outputs, std::size_t k, const SamplePattern& patt
 // Adds one receiver to the counts of a batch.
 void count(QueryReport& report, const ReceiverRays& rays, const OcclusionMask& blocked);
 
-// Adds the counts of a part of a batch.
-void add(QueryReport& report, const QueryReport& part);
-
 }  // namespace lkao::query

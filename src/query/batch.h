@@ -24,12 +24,12 @@ QueryReport answer_in_parts(std::size_t receiver_count, const Progress& progress
   return tbb::parallel_reduce(
       Range(0, receiver_count, kGrain), QueryReport{},
       [&](const Range& range, QueryReport report) {
-        add(report, answer_part(range.begin(), range.end()));
+        report += answer_part(range.begin(), range.end());
         sum.add(range.size());
         return report;
       },
       [](QueryReport a, const QueryReport& b) {
-        add(a, b);
+        a += b;
         return a;
       },
       tbb::simple_partitioner());

@@ -123,10 +123,7 @@ QueryReport query_endless(const OccluderBvh& occluders, const std::vector<glm::v
     const std::uint64_t rest = (ray_count - sum.ray_count) / (points.size() * kRayCount) + 1;
     const std::vector<Receiver> receivers =
         receivers_at(points, static_cast<int>(std::min<std::uint64_t>(rest, 64)), random);
-    const QueryReport report = ao.query(receivers, {}, sum.receiver_count);
-    sum.receiver_count += report.receiver_count;
-    sum.ray_count += report.ray_count;
-    sum.blocked_ray_count += report.blocked_ray_count;
+    sum += ao.query(receivers, {}, sum.receiver_count);
   }
   return sum;
 }
