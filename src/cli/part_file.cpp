@@ -41,11 +41,16 @@ class Fingerprint {
   std::uint64_t value_ = 0xcbf29ce484222325;
 };
 
-// What images and corners say.
+// What images, corners and materials say.
 void add_holes(const scene::Holes& holes, Fingerprint& fingerprint) {
   fingerprint.add(std::span(holes.triangles));
   for (const scene::HoleMaterial& material : holes.materials) {
+    const double numbers[] = {material.cut_off ? 1.0 : 0.0, material.cut_off.value_or(0), material.factor};
+    fingerprint.add(std::span<const double>(numbers));
     if (!material.texture) continue;
+    const int look[] = {static_cast<int>(material.texture->wraps.u), static_cast<int>(material.texture->wraps.v),
+                        material.texture->is_smooth ? 1 : 0};
+    fingerprint.add(std::span<const int>(look));
     const std::vector<std::uint16_t>& alphas = material.texture->image->alphas;
     fingerprint.add(std::span<const std::uint32_t>(std::vector<std::uint32_t>(alphas.begin(), alphas.end())));
   }
@@ -93,6 +98,7 @@ std::uint64_t fingerprint_of(const scene::Mesh& mesh) {
   Fingerprint fingerprint;
   fingerprint.add(std::span(mesh.positions));
   fingerprint.add(std::span(mesh.triangles));
+  fingerprint.add(std::span(mesh.objects));
   if (mesh.holes) add_holes(*mesh.holes, fingerprint);
   return fingerprint.value();
 }

@@ -11,7 +11,7 @@
 namespace lkao::test {
 namespace {
 
-using scene::GltfBuilder, scene::kFloat;
+using scene::GltfBuilder;
 using testing::HasSubstr;
 
 // 8 x 8 texels, every second of which is clear.
@@ -33,21 +33,14 @@ std::string clear_and_opaque_webp() {
 
 // A floor of 4 x 4 at y = 0, and a card of 2 x 2 over it that masks by an image; both with texture coordinates.
 GltfBuilder card_over_floor(const std::string& image) {
-  GltfBuilder parts = scene::gltf_square({0, 1, 2, 0, 2, 3});
-  const std::size_t uvs = parts.add_values(std::vector<float>{0, 1, 1, 1, 1, 0, 0, 0}, kFloat, "VEC2", 2);
-  parts.primitive()["attributes"]["TEXCOORD_0"] = uvs;
+  GltfBuilder parts = scene::gltf_leaf(image);
   parts.document["meshes"].push_back(parts.document["meshes"][0]);
-  parts.document["meshes"][1]["primitives"][0]["material"] = 0;
+  parts.primitive().erase("material");
   const nlohmann::json lying = {-0.70710678118654752, 0, 0, 0.70710678118654752};
   parts.document["nodes"] = {
       {{"name", "floor"}, {"mesh", 0}, {"rotation", lying}, {"scale", {4, 4, 4}}, {"translation", {-2, 0, 2}}},
       {{"name", "card"}, {"mesh", 1}, {"rotation", lying}, {"scale", {2, 2, 2}}, {"translation", {-1, 0.5, 1}}}};
   parts.document["scenes"][0]["nodes"] = {0, 1};
-  parts.document["images"] = {{{"bufferView", parts.add_view(image)}, {"mimeType", "image/png"}}};
-  parts.document["samplers"] = {{{"magFilter", 9728}}};
-  parts.document["textures"] = {{{"source", 0}, {"sampler", 0}}};
-  parts.document["materials"] = {
-      {{"name", "leaf"}, {"alphaMode", "MASK"}, {"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}}}};
   return parts;
 }
 
@@ -100,10 +93,14 @@ TEST_F(HolesOfModels, AreBakedOfAndPartsAreTheWhole) {
   for (const char* const part : {"1/2", "2/2"}) expect_success(bake(model, "out.ply", {"--part", part}));
   expect_success({"merge", path("out.ply.1of2.part"), path("out.ply.2of2.part"), "--quiet"});
   EXPECT_EQ(read_file("out.ply"), read_file("holes.ply"));
-  // Not of another image.
-  write_file("card.glb", card_over_floor(clear_and_opaque_webp()).glb());
-  expect_rejected({"merge", path("out.ply.1of2.part"), path("out.ply.2of2.part"), "--quiet"},
-                  {"the scene has changed"});
+  // Not of another image, nor where it means something else.
+  GltfBuilder other = card_over_floor(checks_png());
+  other.document["materials"][0]["alphaCutoff"] = 0.75;
+  for (const GltfBuilder& changed : {card_over_floor(clear_and_opaque_webp()), other}) {
+    write_file("card.glb", changed.glb());
+    expect_rejected({"merge", path("out.ply.1of2.part"), path("out.ply.2of2.part"), "--quiet"},
+                    {"the scene has changed"});
+  }
   write_file("card.glb", card_over_floor(checks_png()).glb());
   // Half of the card is there: the middle of the floor gets about half of what the whole card hides.
   const ProgramResult whole =

@@ -74,6 +74,19 @@ GltfBuilder gltf_square(const std::vector<std::uint16_t>& indices, int mode) {
   return builder;
 }
 
+GltfBuilder gltf_leaf(const std::string& image) {
+  GltfBuilder builder = gltf_square({0, 1, 2, 0, 2, 3});
+  builder.primitive()["attributes"]["TEXCOORD_0"] =
+      builder.add_values(std::vector<float>{0, 1, 1, 1, 1, 0, 0, 0}, kFloat, "VEC2", 2);
+  builder.primitive()["material"] = 0;
+  builder.document["images"] = {{{"bufferView", builder.add_view(image)}, {"mimeType", "image/png"}}};
+  builder.document["samplers"] = {{{"magFilter", 9728}}};
+  builder.document["textures"] = {{{"source", 0}, {"sampler", 0}}};
+  builder.document["materials"] = {
+      {{"name", "leaf"}, {"alphaMode", "MASK"}, {"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}}}};
+  return builder;
+}
+
 std::string glb_of(const std::vector<Chunk>& chunks) {
   std::string content;
   for (const Chunk& chunk : chunks) content += raw_uint32(chunk.content.size()) + chunk.type + chunk.content;

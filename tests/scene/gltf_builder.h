@@ -43,6 +43,9 @@ const std::vector<std::uint16_t>& cube_indices();
 // The square (0,0,0), (1,0,0), (1,1,0), (0,1,0), likewise.
 GltfBuilder gltf_square(const std::vector<std::uint16_t>& indices, int mode = 4);
 
+// Of it, masked where this image (a PNG, says the file) has no alpha; each texel shows whole. Set 0 is x and 1 - y.
+GltfBuilder gltf_leaf(const std::string& image);
+
 // The bytes of a list as they lie in memory.
 template <typename T>
 std::string bytes_of(const std::vector<T>& list) {

@@ -16,19 +16,7 @@ using testing::IsEmpty;
 
 const std::string kHalfClear = alpha_file(2, 1, std::string("\0\xff", 2));
 
-// A square whose material masks by an image, set 0 being x and 1 - y.
-GltfBuilder leaf(const std::string& image = kHalfClear) {
-  GltfBuilder parts = gltf_square({0, 1, 2, 0, 2, 3});
-  parts.primitive()["attributes"]["TEXCOORD_0"] =
-      parts.add_values(std::vector<float>{0, 1, 1, 1, 1, 0, 0, 0}, kFloat, "VEC2", 2);
-  parts.primitive()["material"] = 0;
-  parts.document["images"] = {{{"bufferView", parts.add_view(image)}, {"mimeType", "image/png"}}};
-  parts.document["samplers"] = {{{"magFilter", 9728}}};
-  parts.document["textures"] = {{{"source", 0}, {"sampler", 0}}};
-  parts.document["materials"] = {
-      {{"name", "leaf"}, {"alphaMode", "MASK"}, {"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}}}};
-  return parts;
-}
+GltfBuilder leaf(const std::string& image = kHalfClear) { return gltf_leaf(image); }
 
 json& material_of(GltfBuilder& parts) { return parts.document["materials"][0]; }
 json& texture_of(GltfBuilder& parts) { return material_of(parts)["pbrMetallicRoughness"]["baseColorTexture"]; }
