@@ -7,6 +7,7 @@
 #include <memory>
 #include <unordered_set>
 #include <utility>
+#include <vector>
 
 #include "bvh/usable_triangle.h"
 #include "lut/coordinates.h"
@@ -44,6 +45,17 @@ void corners_of(const Mesh& mesh, const glm::uvec3& triangle, glm::vec3 (&corner
   for (int i = 0; i < 3; ++i) corners[i] = mesh.positions[triangle[i]];
 }
 
+// Of a list that has one entry for every triangle, or none.
+template <typename Entry>
+void keep(const std::vector<bool>& usable, std::vector<Entry>& of_triangles) {
+  if (of_triangles.empty()) return;
+  std::size_t kept = 0;
+  for (std::size_t t = 0; t < usable.size(); ++t) {
+    if (usable[t]) of_triangles[kept++] = of_triangles[t];
+  }
+  of_triangles.resize(kept);
+}
+
 }  // namespace
 
 Defects find_defects(const Mesh& mesh) {
@@ -68,24 +80,18 @@ Defects find_defects(const Mesh& mesh) {
 }
 
 void drop_bad_triangles(Mesh& mesh) {
-  std::shared_ptr<Holes> holes = mesh.holes ? std::make_shared<Holes>(*mesh.holes) : nullptr;
-  std::size_t kept = 0;
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    if (!Facet(mesh, mesh.triangles[t]).is_usable()) continue;
-    mesh.triangles[kept] = mesh.triangles[t];
-    if (!mesh.normal_corners.empty()) mesh.normal_corners[kept] = mesh.normal_corners[t];
-    if (!mesh.uv_corners.empty()) mesh.uv_corners[kept] = mesh.uv_corners[t];
-    if (!mesh.materials.empty()) mesh.materials[kept] = mesh.materials[t];
-    if (!mesh.objects.empty()) mesh.objects[kept] = mesh.objects[t];
-    if (holes) holes->numbers[kept] = holes->numbers[t];
-    ++kept;
-  }
-  mesh.triangles.resize(kept);
-  if (!mesh.normal_corners.empty()) mesh.normal_corners.resize(kept);
-  if (!mesh.uv_corners.empty()) mesh.uv_corners.resize(kept);
-  if (!mesh.materials.empty()) mesh.materials.resize(kept);
-  if (!mesh.objects.empty()) mesh.objects.resize(kept);
-  if (holes) holes->numbers.resize(kept);
+  std::vector<bool> usable;
+  usable.reserve(mesh.triangles.size());
+  for (const glm::uvec3& triangle : mesh.triangles) usable.push_back(Facet(mesh, triangle).is_usable());
+  if (std::find(usable.begin(), usable.end(), false) == usable.end()) return;
+  keep(usable, mesh.triangles);
+  keep(usable, mesh.normal_corners);
+  keep(usable, mesh.uv_corners);
+  keep(usable, mesh.materials);
+  keep(usable, mesh.objects);
+  if (!mesh.holes) return;
+  auto holes = std::make_shared<Holes>(*mesh.holes);
+  keep(usable, holes->numbers);
   mesh.holes = std::move(holes);
 }
 

@@ -65,8 +65,9 @@ FileMesh read_by_extension(const std::string& path, const ReadOptions& options) 
     return read_obj(
         bytes, [&](const std::string& name) { return read_beside(path, name); }, uv_set, options.objects);
   }
-  if (extension == "gltf" || extension == "glb")
+  if (extension == "gltf" || extension == "glb") {
     return read_gltf(path, bytes, {uv_set, options.objects, options.decode_alpha});
+  }
   throw std::runtime_error("not a supported mesh type (known: .obj .ply .stl .off .gltf .glb)");
 }
 

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <glm/common.hpp>
 
-#include "scene/formats/file_bytes.h"
+#include "scene/formats/gltf/images.h"
 #include "scene/formats/gltf/textures.h"
 #include "scene/formats/gltf/uri.h"
 #include "scene/formats/text.h"
@@ -15,11 +15,6 @@
 namespace lkao::scene::gltf {
 
 namespace {
-
-std::string name_of(const Value& material) {
-  const std::optional<Value> name = material.find("name");
-  return name ? printable(name->text()) : material.place();
-}
 
 // What makes the colour of a material, under the names of its two kinds.
 struct BaseColour {
@@ -81,6 +76,11 @@ std::vector<glm::vec2> uvs_of(const Primitive& primitive, const Value& texture) 
 }
 
 }  // namespace
+
+std::string name_of(const Value& material) {
+  const std::optional<Value> name = material.find("name");
+  return name ? printable(name->text()) : material.place();
+}
 
 AlphaMode alpha_mode_of(const Value& material) {
   const std::optional<Value> mode = material.find("alphaMode");
@@ -172,9 +172,7 @@ std::shared_ptr<const AlphaImage> HoleReader::decode(const Value& image, const s
 std::string HoleReader::bytes_of(const Value& image, const std::string& name) {
   const std::optional<Value> uri = image.find("uri");
   try {
-    if (!uri) return std::string(buffers_.view(image.at("bufferView")).bytes);
-    if (is_data_uri(uri->text())) return decode_data_uri(uri->text());
-    return std::string(read_regular_file(resolve_uri(path_, uri->text())).view());
+    return uri ? read_uri(path_, uri->text()) : std::string(buffers_.view(image.at("bufferView")).bytes);
   } catch (const std::runtime_error& error) {
     throw std::runtime_error(fmt::format("cannot read '{}': {}", name, error.what()));
   }

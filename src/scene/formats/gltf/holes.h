@@ -19,6 +19,9 @@
 
 namespace lkao::scene::gltf {
 
+// Of a material, for messages: its place in the document where it has none.
+std::string name_of(const Value& material);
+
 // What a material's alpha means: nothing, that something is there or not, or how much of it.
 enum class AlphaMode { opaque, mask, blend };
 

@@ -230,9 +230,8 @@ void SceneReader::count_cut_outs(const Part& part) {
   const Value material = root_.at("materials").element(*part.material);
   const AlphaMode mode = alpha_mode_of(material);
   if (mode == AlphaMode::opaque || (hole_reader_.is_reading() && part.holes.empty())) return;
-  const std::optional<Value> name = material.find("name");
   CutOut& cut_out = cut_outs_[*part.material];
-  cut_out.material = name ? printable(name->text()) : material.place();
+  cut_out.material = name_of(material);
   const auto has_holes = [](const HoleTriangle& holes) { return holes.material != kWhole; };
   cut_out.triangle_count += part.holes.empty() ? part.triangles.size()
                                                : static_cast<std::size_t>(std::ranges::count_if(part.holes, has_holes));
