@@ -122,28 +122,28 @@ endfunction()
 # Half of the time to compile a test goes into making its few instructions fast.
 set(lkao_test_options -O1 ${lkao_cold_if_sanitized})
 
-# lkao_test(NAME SOURCES a.cpp ... LINKS x ... [LABELS slow|tsan ...] [READS path ...] [COST seconds])
+# lkao_test(NAME [HOT] SOURCES a.cpp ... LINKS x ... [LABELS slow|tsan ...] [READS path ...] [COST seconds])
 #   A GoogleTest program lkao_test_NAME, each of its tests known to CTest. Tests with the label "slow" are left out
 #   under AddressSanitizer; those with "tsan" are what ThreadSanitizer runs (target lkao_tsan_tests; see tests/tsan).
 #   READS: the programs that the tests start, the files and folders that they read: `./run test` repeats tests that
 #   passed when one of these changes. COST: about how long they take, where that is long: these are run first. HOT: they
-#   compute much by themselves.
+#   compute much by themselves, and are optimised under sanitizers too, without the others' headers.
 function(lkao_test NAME)
   cmake_parse_arguments(PARSE_ARGV 1 test "HOT" "COST" "SOURCES;LINKS;LABELS;READS")
   add_executable(lkao_test_${NAME} ${test_SOURCES})
   target_include_directories(lkao_test_${NAME} PRIVATE ${lkao_include_roots} "${PROJECT_SOURCE_DIR}/tests")
   target_compile_definitions(lkao_test_${NAME} PRIVATE "LKAO_SHARED_DIR=\"${LKAO_SHARED_DIR}\"")
   target_link_libraries(lkao_test_${NAME} PRIVATE ${test_LINKS} GTest::gmock GTest::gtest GTest::gtest_main)
+  set(options ${lkao_test_options})
   if(LKAO_SANITIZE AND test_HOT)
-    target_compile_options(lkao_test_${NAME} PRIVATE -O1)
-  else()
-    target_compile_options(lkao_test_${NAME} PRIVATE ${lkao_test_options})
+    set(options -O1)
   endif()
+  target_compile_options(lkao_test_${NAME} PRIVATE ${options})
   if(LKAO_SANITIZE AND "slow" IN_LIST test_LABELS)
     lkao_compile_only(lkao_test_${NAME})
     return()
   endif()
-  if(NOT (LKAO_SANITIZE AND test_HOT))
+  if(options STREQUAL lkao_test_options)
     lkao_precompile_as(lkao_test_${NAME} lkao_test_headers)
   endif()
   if(test_READS)

@@ -27,8 +27,8 @@ struct ReferenceOptions {
 
 // An Embree scene (high build quality) over the same triangles: those with zero area or a non-finite corner block
 // nothing, and those with holes (Mesh::holes) where these are not. Triangles keep their numbers, so excluded primitives
-// work. Embree decides in single precision, and leaves
-// out triangles with coordinates beyond 1.8e18. Usable from any number of threads.
+// work. Embree decides in single precision, and leaves out triangles with coordinates beyond 1.8e18. Usable from any
+// number of threads.
 class EmbreeReference {
  public:
   // Builds in parallel; the mesh may go afterwards. Throws std::invalid_argument where an index is outside the
