@@ -268,7 +268,7 @@ class SimdTraversal {
     const bool use_cones = std::popcount(active.chunks) >= kChunksWorthCones && has_cones();
     if (!use_cones && std::popcount(reached) > 2) {
       for_each_chunk(active.chunks, [&](int chunk) {
-        blocked_count += close(leaf, chunk, active.masks[chunk], planes.blocked(rays_, parts_, chunk));
+        blocked_count += close(leaf, planes, chunk, active.masks[chunk], planes.blocked(rays_, parts_, chunk));
       });
       return blocked_count;
     }
@@ -277,17 +277,19 @@ class SimdTraversal {
       std::uint64_t chunks = active.chunks;
       if (use_cones) chunks &= planes.chunks_meeting(triangle, cones_, query_.radius);
       for_each_chunk(chunks, [&](int chunk) {
-        blocked_count += close(leaf, chunk, active.masks[chunk], planes.blocked(triangle, rays_, parts_, chunk));
+        const Verdict verdict = planes.blocked(triangle, rays_, parts_, chunk);
+        blocked_count += close(leaf, planes, chunk, active.masks[chunk], verdict);
       });
     }
     return blocked_count;
   }
 
   // Closes those rays of `mask` that are blocked, and returns their number where that is to be remembered.
-  HWY_INLINE int close(const Leaf& leaf, int chunk, std::uint32_t mask, const Verdict& verdict) {
+  HWY_INLINE int close(const Leaf& leaf, const LeafPlanes& planes, int chunk, std::uint32_t mask,
+                       const Verdict& verdict) {
     std::uint32_t blocked = verdict.sure & mask;
     const std::uint32_t in_doubt = verdict.perhaps & ~verdict.sure & mask;
-    if (HWY_UNLIKELY(in_doubt != 0)) blocked |= resolve(leaf, chunk, in_doubt);
+    if (HWY_UNLIKELY(in_doubt != 0)) blocked |= resolve(leaf, planes, chunk, in_doubt);
     int count = 0;
     if constexpr (kRemembers) {
       const std::uint32_t closed = blocked & rays_.open[chunk];
@@ -298,14 +300,15 @@ class SimdTraversal {
     return count;
   }
 
-  // The rays in doubt, one by one.
-  HWY_NOINLINE std::uint32_t resolve(const Leaf& leaf, int chunk, std::uint32_t lanes) const {
+  // The rays in doubt, one by one, by the triangles that may block them.
+  HWY_NOINLINE std::uint32_t resolve(const Leaf& leaf, const LeafPlanes& planes, int chunk, std::uint32_t lanes) const {
     std::uint32_t blocked = 0;
     for (int triangle = 0; triangle < leaf.triangle_count(); ++triangle) {
-      if (leaf.primitives[triangle] == query_.excluded_primitive) continue;
+      const std::uint32_t in_doubt = planes.blocked(triangle, rays_, parts_, chunk).perhaps & lanes & ~blocked;
+      if (in_doubt == 0) continue;
       const std::uint32_t primitive = leaf.primitives[triangle];
       const TriangleTest test = make_test(layout_, primitive, query_);
-      for (std::uint32_t rest = test.can_block() ? lanes : 0; rest != 0; rest &= rest - 1) {
+      for (std::uint32_t rest = test.can_block() ? in_doubt : 0; rest != 0; rest &= rest - 1) {
         const int lane = std::countr_zero(rest);
         if (blocks(test, layout_, primitive, query_, chunk * kLaneCount + lane)) blocked |= 1u << lane;
       }
