@@ -38,7 +38,7 @@ void fill(const RayEnds& ends, const glm::vec3& axis, std::uint64_t* const (&wor
       Bits masks[kMasks];
       beyond(height, hn::LoadU(tag, &ends.length[static_cast<std::size_t>(ray)]), masks);
       for (int i = 0; i < kMasks; ++i) {
-        packed[i] |= std::uint64_t{bits_of(tag, masks[i])} << bit;
+        packed[i] |= long_bits_of(tag, masks[i]) << bit;
       }
     }
     const std::uint64_t rays = word + 1 < ends.word_count ? ~std::uint64_t{0} : ends.last_word;

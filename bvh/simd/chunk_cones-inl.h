@@ -76,7 +76,7 @@ class ChunkCones {
     std::uint64_t chunks = 0;
     for (int i = 0; i < chunk_count_; i += lane_count(tag)) {
       const auto of = [&](const float* values) HWY_ATTR { return hn::Load(tag, values + i); };
-      chunks |= static_cast<std::uint64_t>(bits_of(tag, meets(tag, gap, far, of))) << i;
+      chunks |= long_bits_of(tag, meets(tag, gap, far, of)) << i;
     }
     return chunks;
   }

@@ -32,6 +32,7 @@ constexpr int lane_count(Tag tag) {
 }
 
 using lut::HWY_NAMESPACE::bits_of;
+using lut::HWY_NAMESPACE::long_bits_of;
 
 // The mask of such bits.
 template <class Tag>

@@ -119,7 +119,7 @@ class LeafPlanes {
       const auto c = along(normal_[0][triangle], normal_[1][triangle], normal_[2][triangle]);
       const auto depth = hn::Sub(hn::Add(hn::Max(c, hn::Mul(c, cosine)), sine), hn::Set(tag, reach));
       const auto least = hn::Min(hn::Min(most(0), most(1)), hn::Min(most(2), depth));
-      chunks |= static_cast<std::uint64_t>(bits_of(tag, hn::Ge(least, hn::Zero(tag)))) << i;
+      chunks |= long_bits_of(tag, hn::Ge(least, hn::Zero(tag))) << i;
     }
     return chunks;
   }

@@ -131,7 +131,7 @@ struct ActiveRays {
     for (int i = 0; i < chunk_count; i += 8) {
       for (int k = i; k < i + 8; k += lane_count(tag)) {
         const auto some = hn::Ne(hn::Load(tag, masks + k), hn::Zero(tag));
-        chunks |= static_cast<std::uint64_t>(bits_of(tag, some)) << k;
+        chunks |= long_bits_of(tag, some) << k;
       }
       std::uint64_t words[2];
       std::memcpy(words, masks + i, sizeof(words));

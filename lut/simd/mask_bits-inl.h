@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <cstring>
+#include <type_traits>
 
 #include <hwy/highway.h>
 
@@ -26,6 +27,18 @@ HWY_INLINE std::uint32_t bits_of(Tag tag, Mask mask) {
   } else {
     return bytes[0];
   }
+}
+
+// The same as a longer number. bits_of() is not to be converted to it: where registers are short, GCC 12 may store the
+// byte of an AVX-512 mask and load 64 bits, whatever lies behind it.
+template <class Tag, class Mask>
+HWY_INLINE std::uint64_t long_bits_of(Tag tag, Mask mask) {
+  constexpr bool kIsByte = hwy::HWY_NAMESPACE::MaxLanes(Tag()) <= 8;
+  auto bits = static_cast<std::conditional_t<kIsByte, std::uint8_t, std::uint16_t>>(bits_of(tag, mask));
+#if HWY_COMPILER_GCC_ACTUAL
+  asm("" : "+r"(bits));  // no instruction: puts it into a register of its own length
+#endif
+  return bits;
 }
 
 }  // namespace lkao::lut::HWY_NAMESPACE

@@ -98,7 +98,7 @@ HWY_INLINE void fill(const PatternLanes& disk, const PointOf& point_of, Receiver
       hn::Store(point.x, tag, rays.x + ray);
       hn::Store(point.y, tag, rays.y + ray);
       hn::Store(point.z, tag, rays.z + ray);
-      cast |= std::uint64_t{lut::HWY_NAMESPACE::bits_of(tag, hn::Gt(dot(point, up), hn::Zero(tag)))} << bit;
+      cast |= lut::HWY_NAMESPACE::long_bits_of(tag, hn::Gt(dot(point, up), hn::Zero(tag))) << bit;
     }
     rays.cast.words[first / 64] = cast;
   }

@@ -36,7 +36,7 @@ void turn_pattern(const PatternLanes& pattern, const glm::mat3& frame, float rad
       hn::Store(hn::Mul(direction.x, length), tag, rays.x + ray);
       hn::Store(hn::Mul(direction.y, length), tag, rays.y + ray);
       hn::Store(hn::Mul(direction.z, length), tag, rays.z + ray);
-      cast |= std::uint64_t{lut::HWY_NAMESPACE::bits_of(tag, hn::Gt(dot(direction, above), zero))} << bit;
+      cast |= lut::HWY_NAMESPACE::long_bits_of(tag, hn::Gt(dot(direction, above), zero)) << bit;
     }
     rays.cast.words[first / 64] = cast;
   }
