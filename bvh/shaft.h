@@ -4,10 +4,14 @@
 // Rendering 1991: the convex hull of two boxes as the box around both, cut by planes through their edges.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 
 #include <glm/common.hpp>
 
+#include "bvh/layout.h"
 #include "lkao/occluder_bvh.h"
 
 namespace lkao::bvh {
@@ -22,18 +26,34 @@ class Shaft {
     }
   }
 
-  // True where no segment of the shaft meets the box. Conservative: may say false.
-  bool misses(const Bounds& box) const {
+  // Children of the node whose boxes some segment of the shaft may meet, as bits. Conservative: may be too many. Loops
+  // over children that compilers make vectors of.
+  std::uint32_t met_children(const Node& node) const {
+    double beyond[kWidth];  // how far a child is outside of what it is farthest outside of
+    std::fill_n(beyond, kWidth, -std::numeric_limits<double>::infinity());
+    const auto raise = [&](const auto& by) {
+      for (int child = 0; child < kWidth; ++child) {
+        const double value = by(child);
+        beyond[child] = value > beyond[child] ? value : beyond[child];
+      }
+    };
     for (int axis = 0; axis < 3; ++axis) {
-      if (box.lower[axis] > around_.upper[axis] || box.upper[axis] < around_.lower[axis]) return true;
+      const double lower = static_cast<double>(around_.lower[axis]), upper = static_cast<double>(around_.upper[axis]);
+      raise([&](int child) { return static_cast<double>(node.faces[0][axis][child]) - upper; });
+      raise([&](int child) { return lower - static_cast<double>(node.faces[1][axis][child]); });
     }
     for (int i = 0; i < plane_count_; ++i) {
       const Plane& plane = planes_[i];
-      if (plane.least(box.lower[plane.a], box.upper[plane.a], box.lower[plane.b], box.upper[plane.b]) > plane.most) {
-        return true;
-      }
+      const float* const at_a = node.faces[plane.normal_a > 0 ? 0 : 1][plane.a];
+      const float* const at_b = node.faces[plane.normal_b > 0 ? 0 : 1][plane.b];
+      raise([&](int child) {
+        return plane.normal_a * static_cast<double>(at_a[child]) + plane.normal_b * static_cast<double>(at_b[child]) -
+               plane.most;
+      });
     }
-    return false;
+    std::uint32_t met = 0;
+    for (int child = 0; child < kWidth; ++child) met |= static_cast<std::uint32_t>(beyond[child] <= 0) << child;
+    return met;
   }
 
  private:
@@ -42,10 +62,6 @@ class Shaft {
     int a, b;
     double normal_a, normal_b;
     double most;
-
-    double least(double lower_a, double upper_a, double lower_b, double upper_b) const {
-      return normal_a * (normal_a > 0 ? lower_a : upper_a) + normal_b * (normal_b > 0 ? lower_b : upper_b);
-    }
   };
 
   static double corner_of(const Bounds& box, int axis, bool is_upper) {
