@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "query/bent_normal.h"
+#include "query/ray_count.h"
 
 namespace lkao::query {
 
@@ -22,8 +23,8 @@ glm::vec3 bent_normal_of(const SamplePattern& pattern, const Receiver& receiver,
 }  // namespace
 
 float occlusion_of(const ReceiverRays& rays, const OcclusionMask& blocked) {
-  const int cast_count = rays.cast.count();
-  return cast_count > 0 ? static_cast<float>(blocked.count()) / static_cast<float>(cast_count) : kNaN;
+  const int cast_count = ray_count_of(rays.cast, rays);
+  return cast_count > 0 ? static_cast<float>(ray_count_of(blocked, rays)) / static_cast<float>(cast_count) : kNaN;
 }
 
 ReceiverOcclusion make_answer(const SamplePattern& pattern, const Receiver& receiver, const ReceiverRays& rays,
@@ -53,11 +54,11 @@ void store(const QueryOutputs& outputs, std::size_t k, const SamplePattern& patt
 }
 
 void count(QueryReport& report, const ReceiverRays& rays, const OcclusionMask& blocked) {
-  const int cast_count = rays.cast.count();
+  const int cast_count = ray_count_of(rays.cast, rays);
   ++report.receiver_count;
   report.invalid_receiver_count += cast_count == 0;
   report.ray_count += static_cast<std::uint64_t>(cast_count);
-  report.blocked_ray_count += static_cast<std::uint64_t>(blocked.count());
+  report.blocked_ray_count += static_cast<std::uint64_t>(ray_count_of(blocked, rays));
 }
 
 }  // namespace lkao::query

@@ -7,12 +7,14 @@
 
 #include <fmt/format.h>
 
+#include "query/ray_count.h"
+
 namespace lkao::query {
 
 LightVisibility make_shadow_answer(bool is_valid, const ReceiverRays& rays, const OcclusionMask& blocked) {
   constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
   if (!is_valid) return {kNaN, kNaN, {}};
-  const int cast_count = rays.cast.count(), seen_count = cast_count - blocked.count();
+  const int cast_count = ray_count_of(rays.cast, rays), seen_count = cast_count - ray_count_of(blocked, rays);
   const auto share = [&](int some) { return static_cast<float>(some) / static_cast<float>(rays.ray_count); };
   return {share(seen_count), share(cast_count), blocked};
 }
@@ -40,8 +42,8 @@ void store(const ShadowOutputs& outputs, std::size_t k, int word_count, const Li
 void count(QueryReport& report, const ReceiverRays& rays, const LightVisibility& answer) {
   ++report.receiver_count;
   report.invalid_receiver_count += std::isnan(answer.visibility);
-  report.ray_count += static_cast<std::uint64_t>(rays.cast.count());
-  report.blocked_ray_count += static_cast<std::uint64_t>(answer.blocked.count());
+  report.ray_count += static_cast<std::uint64_t>(ray_count_of(rays.cast, rays));
+  report.blocked_ray_count += static_cast<std::uint64_t>(ray_count_of(answer.blocked, rays));
 }
 
 }  // namespace lkao::query
