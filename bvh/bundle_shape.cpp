@@ -64,6 +64,11 @@ bool are_in_range(const ReceiverRays& rays) {
   return bad == 0;
 }
 
+HWY_INLINE glm::vec3 unit_or_z(const glm::vec3& v) {
+  const float length2 = glm::dot(v, v);
+  return length2 > 1e-12f ? v / std::sqrt(length2) : glm::vec3(0, 0, 1);
+}
+
 // The rays in question, and what is found of them in one go. Where squares of their lengths might leave the range of
 // floats, all is scaled by a power of two.
 class MeasuredRays {
@@ -84,7 +89,7 @@ class MeasuredRays {
     OcclusionMask mask;
     const auto least = hn::Set(tag, longest2_ * kShortest2);
     for (int i = 0; i < count_; i += kLanes) {
-      const std::uint64_t bits = lut::HWY_NAMESPACE::bits_of(tag, hn::Ge(hn::Load(tag, length2_ + i), least));
+      const std::uint64_t bits = lut::HWY_NAMESPACE::long_bits_of(tag, hn::Ge(hn::Load(tag, length2_ + i), least));
       mask.words[i / 64] |= bits << (i % 64);
     }
     return mask;
@@ -92,6 +97,15 @@ class MeasuredRays {
   // What all components of the rays that were left lie between.
   glm::vec3 least() const { return least_; }
   glm::vec3 most() const { return most_; }
+  // The direction of the middle of that box.
+  glm::vec3 middle() const { return unit_or_z(scale_ * (0.5f * least_ + 0.5f * most_)); }
+  // True where nothing in the box is farther than kNarrow from there: spares a look at each ray.
+  bool is_narrow_box() const {
+    const glm::vec3 center = scale_ * (0.5f * least_ + 0.5f * most_), half = scale_ * (0.5f * most_ - 0.5f * least_);
+    constexpr float kSine2 = 1 - kNarrow * kNarrow - kRounding;
+    const float distance2 = glm::dot(center, center);
+    return distance2 > 1e-12f && glm::dot(half, half) < kSine2 * distance2;
+  }
 
   // Of those rays of the mask whose numbers are from `first` to before `last`, multiples of the rays of a cone; scaled.
   HWY_INLINE glm::vec3 sum(int first, int last, const OcclusionMask& mask) const {
@@ -178,11 +192,6 @@ class MeasuredRays {
   alignas(64) float length2_[kMaxRayCount];
 };
 
-HWY_INLINE glm::vec3 unit_or_z(const glm::vec3& v) {
-  const float length2 = glm::dot(v, v);
-  return length2 > 1e-12f ? v / std::sqrt(length2) : glm::vec3(0, 0, 1);
-}
-
 // Any rotation that has `axis` as its last column.
 glm::mat3 frame_around(const glm::vec3& axis) {
   const glm::vec3 other = std::fabs(axis.x) < 0.6f ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0);
@@ -220,14 +229,15 @@ void make_bundle_shape(const ReceiverRays& rays, const OcclusionMask& left, Bund
   shape.radius = measured.radius();
   shape.rays = measured.long_rays();
   const int count = measured.cone_count() * kRaysPerCone;
-  const glm::vec3 middle = unit_or_z(measured.sum(0, count, shape.rays));
-  const float widest = measured.least_cosine(0, count, middle, shape.rays) - kRounding;
-  const bool is_narrow = widest > kNarrow;
+  glm::vec3 middle = measured.middle();
+  bool is_narrow = measured.is_narrow_box();
+  if (!is_narrow) {
+    middle = unit_or_z(measured.sum(0, count, shape.rays));
+    is_narrow = measured.least_cosine(0, count, middle, shape.rays) - kRounding > kNarrow;
+  }
   shape.frame = frame_around(middle);
   shape.up = is_narrow ? middle : glm::vec3(0);
   PatternCones& cones = shape.cones;
-  cones.widest_cosine = is_narrow ? widest : -1.0f;
-  cones.widest_sine = is_narrow ? std::sqrt((1 - widest) * (1 + widest)) + 1e-6f : 1.0f;
   cones.is_bundle = is_narrow;
   cones.least = measured.least();
   cones.most = measured.most();

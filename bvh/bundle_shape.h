@@ -14,9 +14,9 @@ namespace lkao::bvh {
 struct BundleShape {
   OcclusionMask rays;  // those in question; empty where no ray of those left has a length
   float radius = 0;    // none is longer
-  // A rotation whose last column is their mean direction.
+  // A rotation whose last column is a direction in their middle.
   glm::mat3 frame{1};
-  // As ReceiverRays::up: the mean direction where all rays are above its horizon, else zero, which leaves nothing out.
+  // As ReceiverRays::up: that direction where all rays are above its horizon, else zero, which leaves nothing out.
   glm::vec3 up{0};
   PatternCones cones;  // in the space of `frame`, for chunks of 16 rays
 };

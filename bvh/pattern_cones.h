@@ -18,7 +18,8 @@ struct PatternCones {
 
   alignas(64) float x[kMaxCount] = {}, y[kMaxCount] = {}, z[kMaxCount] = {};
   alignas(64) float cosine[kMaxCount] = {}, sine[kMaxCount] = {};
-  // Of an angle that no direction of the pattern exceeds to the z axis: the cosine no more, the sine no less.
+  // Of an angle that no direction of the pattern exceeds to the z axis: the cosine no more, the sine no less. Not
+  // known of bundles.
   float widest_cosine = -1, widest_sine = 1;
   // A narrow bundle (bundle_shape.h): no component of its rays, in world space, is less or more than this. Of fewer
   // than kRaysWorthCones there are no cones.

@@ -169,9 +169,36 @@ class LeafFrames {
     return {bits_of(tag, met) & candidates_, ~bits_of(tag, missed) & candidates_};
   }
 
-  // Triangles that some ray of the pattern may block: those whose plane is not farther away than rays go towards it
-  // that are no longer than `far` and nowhere farther from `axis` than the cones say.
+  // Triangles that may block some ray of the pattern or bundle: those whose plane is not farther away than rays go
+  // towards it that are no longer than `far` and nowhere farther from `axis` than the cones say.
   HWY_INLINE std::uint32_t reached(float far, const glm::vec3& axis, const PatternCones& cones) const {
+    const Tag tag;
+    const auto nearest = hn::NegMulAdd(hn::Set(tag, 1.6f), own_slack_, distance_);
+    const auto farthest = cones.is_bundle ? farthest_of_bundle(cones) : farthest_of_pattern(far, axis, cones);
+    const auto is_out = hn::Gt(nearest, farthest);
+    // Not those that are left to TriangleTest: their normals are unknown.
+    const auto steepness = load([](const Leaf& leaf) { return leaf.steepness; });
+    const auto is_known = hn::Lt(steepness, hn::Set(tag, std::numeric_limits<float>::infinity()));
+    return candidates_ & ~bits_of(tag, hn::And(is_out, is_known));
+  }
+
+ private:
+  // How far rays go towards the triangles' planes, at most: by the intervals of their components ...
+  HWY_INLINE Floats farthest_of_bundle(const PatternCones& cones) const {
+    const Tag tag;
+    auto middle = hn::Zero(tag), spread = middle;
+    for (int a = 0; a < 3; ++a) {
+      const auto normal = load(kBackNormal, a);
+      const float center = 0.5f * cones.least[a] + 0.5f * cones.most[a];
+      const float half = 0.5f * cones.most[a] - 0.5f * cones.least[a];
+      middle = hn::MulAdd(normal, hn::Set(tag, center), middle);
+      spread = hn::MulAdd(hn::Abs(normal), hn::Set(tag, half + 0x1p-20f * std::fabs(center)), spread);
+    }
+    return hn::MulAdd(spread, hn::Set(tag, 1.0f + 0x1p-20f), hn::Xor(middle, turn_));
+  }
+
+  // ... or by the cone around the pattern.
+  HWY_INLINE Floats farthest_of_pattern(float far, const glm::vec3& axis, const PatternCones& cones) const {
     const Tag tag;
     const auto rounding = hn::Set(tag, 2e-6f);
     const auto cosine =
@@ -181,15 +208,9 @@ class LeafFrames {
     const auto widest_cosine = hn::Set(tag, cones.widest_cosine), widest_sine = hn::Set(tag, cones.widest_sine);
     const auto rim = hn::Add(hn::MulAdd(cosine, widest_cosine, hn::Mul(sine, widest_sine)), rounding);
     const auto largest = hn::IfThenElse(hn::Ge(hn::Add(cosine, rounding), widest_cosine), hn::Set(tag, 1.0f), rim);
-    const auto nearest = hn::NegMulAdd(hn::Set(tag, 1.6f), own_slack_, distance_);
-    const auto is_out = hn::Gt(nearest, hn::Mul(largest, hn::Set(tag, far * 1.0001f)));
-    // Not those that are left to TriangleTest: their normals are unknown.
-    const auto steepness = load([](const Leaf& leaf) { return leaf.steepness; });
-    const auto is_known = hn::Lt(steepness, hn::Set(tag, std::numeric_limits<float>::infinity()));
-    return candidates_ & ~bits_of(tag, hn::And(is_out, is_known));
+    return hn::Mul(largest, hn::Set(tag, far * 1.0001f));
   }
 
- private:
   friend class LeafPlanes;  // leaf_planes-inl.h
   using Rows = float (Leaf::*)[3][kLeafWidth];
   static constexpr Rows kUGradient = &Leaf::u_gradient, kVGradient = &Leaf::v_gradient,
