@@ -173,6 +173,7 @@ class SimdTraversal {
     if (rays_.chunk_count >= kManyChunks) {
       visit_in_turn(node, boxes, active);
     } else {
+      if (bundle_.has_signs()) boxes.sort_faces(bundle_.goes_down());
       visit_tested(node, boxes, active);
     }
   }
@@ -196,8 +197,12 @@ class SimdTraversal {
     const std::uint32_t inside = boxes.holding_origin(), outside = boxes.reached() & ~inside;
     ChunkMasks met[kWidth];
     ActiveRays rays[kWidth];
-    if (ChunkCones::Node8::kFits && !bundle_.is_of_use() && std::popcount(outside) >= 3) {
-      test_pairs(boxes, outside, open, met, rays);
+    if (bundle_.has_signs()) {
+      test_pairs<true>(boxes, outside, open, met, rays);
+    } else if (bundle_.is_of_use()) {
+      test_pairs<false>(boxes, outside, open, met, rays);
+    } else if (ChunkCones::Node8::kFits && std::popcount(outside) >= 3) {
+      test_pairs_by_cones(boxes, outside, open, met, rays);
     } else {
       for (std::uint32_t children = outside; children != 0; children &= children - 1) {
         const int child = std::countr_zero(children);
@@ -212,10 +217,38 @@ class SimdTraversal {
     }
   }
 
-  // Children `outside` of the origin: those pairs of a child and a chunk whose cone meets it, in one loop. As nested
-  // loops, with a few turns each, the processor would guess wrong at every end.
+  // Children `outside` of the origin: all pairs of a child and a chunk in one loop. As nested loops, with a few turns
+  // each, the processor would guess wrong at every end.
+  template <bool kHasSigns>
   HWY_INLINE void test_pairs(const RelativeBoxes<Parts>& boxes, std::uint32_t outside, const ActiveRays& open,
                              ChunkMasks (&met)[kWidth], ActiveRays (&rays)[kWidth]) {
+    for (int child = 0; child < kWidth; ++child) met[child].clear(rays_.chunk_count);
+    for (int first = 0; first < rays_.chunk_count; first += 8) {
+      std::uint64_t pairs = rows_of(open, first) * outside;
+      test_count_ += std::popcount(pairs);
+      for (; pairs != 0; pairs &= pairs - 1) {
+        const int bit = std::countr_zero(pairs), child = bit & 7, chunk = first + (bit >> 3);
+        const std::uint32_t meeting = kHasSigns ? boxes.rays_of_signs_meeting(child, rays_, parts_, chunk)
+                                                : boxes.rays_meeting(child, rays_, parts_, chunk);
+        met[child].of[chunk] = static_cast<std::uint16_t>(open.masks[chunk] & meeting);
+      }
+    }
+    for (; outside != 0; outside &= outside - 1) {
+      const int child = std::countr_zero(outside);
+      rays[child] = ActiveRays(met[child].of, rays_.chunk_count);
+    }
+  }
+
+  // A byte for each of 8 chunks from `first` on, 1 where it has rays.
+  static HWY_INLINE std::uint64_t rows_of(const ActiveRays& rays, int first) {
+    std::uint64_t rows = 0;
+    for (int i = 0; i < 8; ++i) rows |= (rays.chunks >> (first + i) & 1) << (8 * i);
+    return rows;
+  }
+
+  // Only those pairs of a child and a chunk whose cone meets it.
+  HWY_INLINE void test_pairs_by_cones(const RelativeBoxes<Parts>& boxes, std::uint32_t outside, const ActiveRays& open,
+                                      ChunkMasks (&met)[kWidth], ActiveRays (&rays)[kWidth]) {
     cones_.prepare();
     const typename ChunkCones::Node8 node(cones_, boxes);
     for (int child = 0; child < kWidth; ++child) {
@@ -223,12 +256,9 @@ class SimdTraversal {
       rays[child] = {met[child].of, 0, 0};
     }
     for (int first = 0; first < rays_.chunk_count; first += 8) {
-      std::uint64_t pairs = 0, open_rows = 0;  // a byte of children a chunk
-      for (int i = 0; i < 8; ++i) {
-        pairs |= static_cast<std::uint64_t>(node.met_by(first + i)) << (8 * i);
-        open_rows |= (open.chunks >> (first + i) & 1) << (8 * i);
-      }
-      pairs &= open_rows * outside;
+      std::uint64_t pairs = 0;  // a byte of children a chunk
+      for (int i = 0; i < 8; ++i) pairs |= static_cast<std::uint64_t>(node.met_by(first + i)) << (8 * i);
+      pairs &= rows_of(open, first) * outside;
       test_count_ += std::popcount(pairs);
       for (; pairs != 0; pairs &= pairs - 1) {
         const int bit = std::countr_zero(pairs), child = bit & 7, chunk = first + (bit >> 3);

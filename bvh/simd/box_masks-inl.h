@@ -92,6 +92,41 @@ class RelativeBoxes {
     return hn::Add(hn::Load(tag, center_[axis] + first), hn::Load(tag, half_size_[axis] + first));
   }
 
+  // Where all rays go down an axis, or all up, along each of them: finds which faces they meet first.
+  HWY_INLINE void sort_faces(const bool (&goes_down)[3]) {
+    const BoxTag tag;
+    for (int axis = 0; axis < 3; ++axis) {
+      const auto turn = goes_down[axis] ? hn::SignBit(tag) : hn::Zero(tag);
+      for (int i = 0; i < kWidth; i += lane_count(tag)) {
+        const auto center = hn::Load(tag, center_[axis] + i);
+        const auto half_size = hn::Xor(hn::Load(tag, half_size_[axis] + i), turn);
+        hn::Store(hn::Sub(center, half_size), tag, first_face_[axis] + i);
+        hn::Store(hn::Add(center, half_size), tag, second_face_[axis] + i);
+      }
+    }
+  }
+
+  // As rays_meeting(), for less: only after sort_faces().
+  HWY_INLINE std::uint32_t rays_of_signs_meeting(int child, const RaySet& rays, const Parts& parts, int chunk) const {
+    const RayTag tag;
+    std::uint32_t missed = 0;
+    for (int i = 0; i < kLaneCount; i += lane_count(tag)) {
+      const int first = chunk * kLaneCount + i;
+      const auto x = hn::Load(tag, rays.inverse_x + first), y = hn::Load(tag, rays.inverse_y + first),
+                 z = hn::Load(tag, rays.inverse_z + first);
+      const auto enter_x = hn::Mul(hn::Set(tag, first_face_[0][child]), x),
+                 enter_y = hn::Mul(hn::Set(tag, first_face_[1][child]), y),
+                 enter_z = hn::Mul(hn::Set(tag, first_face_[2][child]), z);
+      const auto leave_x = hn::Mul(hn::Set(tag, second_face_[0][child]), x),
+                 leave_y = hn::Mul(hn::Set(tag, second_face_[1][child]), y),
+                 leave_z = hn::Mul(hn::Set(tag, second_face_[2][child]), z);
+      const auto enter = hn::Max(hn::Max(enter_x, enter_y), hn::Max(enter_z, parts.begin(tag, first)));
+      const auto leave = hn::Min(hn::Min(leave_x, leave_y), hn::Min(leave_z, parts.end(tag, first)));
+      missed |= bits_of(tag, hn::Gt(enter, leave)) << i;
+    }
+    return ~missed;
+  }
+
   // Of the 16 rays of a chunk, those that may meet a child's box within their length. As may_meet.
   HWY_INLINE std::uint32_t rays_meeting(int child, const RaySet& rays, const Parts& parts, int chunk) const {
     const RayTag tag;
@@ -117,6 +152,7 @@ class RelativeBoxes {
  private:
   alignas(64) float center_[3][kWidth];
   alignas(64) float half_size_[3][kWidth];
+  alignas(64) float first_face_[3][kWidth], second_face_[3][kWidth];  // by sort_faces()
   std::uint32_t reached_ = 0, inside_ = 0;
 };
 

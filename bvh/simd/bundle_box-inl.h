@@ -25,11 +25,14 @@ class BundleBox {
  public:
   BundleBox(const PatternCones& cones, float radius) : is_of_use_(cones.is_bundle) {
     if (!is_of_use_) return;
+    has_signs_ = true;
     // No product with a face may overflow, and what goes no way along an axis, or both ways, is to say nothing.
     const float shortest = std::max(radius * 0x1p-40f, 0.5f * Node::kMargin);
     shortest_ = shortest * 0x1p20f;
     for (int axis = 0; axis < 3; ++axis) {
       const float least = cones.least[axis], most = cones.most[axis];
+      goes_down_[axis] = most < 0;
+      has_signs_ = has_signs_ && (least > 0 || most < 0);
       soonest_[0][axis] = 1 / std::max(most, shortest);
       soonest_[1][axis] = 1 / std::max(-least, shortest);
       latest_[0][axis] = kSlack / std::max(least, shortest);
@@ -38,6 +41,9 @@ class BundleBox {
   }
 
   bool is_of_use() const { return is_of_use_; }
+  // True where all rays go the same way along each axis: down it, or up.
+  bool has_signs() const { return has_signs_; }
+  const bool (&goes_down() const)[3] { return goes_down_; }
 
   // Children whose boxes some ray may meet, as bits.
   template <class Boxes>
@@ -63,6 +69,8 @@ class BundleBox {
   static constexpr float kSlack = 1.0f + 0x1p-16f;
 
   bool is_of_use_;
+  bool has_signs_ = false;
+  bool goes_down_[3] = {};
   float shortest_ = 0;
   // By direction (up or down the axis) and axis: 1 / component.
   float soonest_[2][3], latest_[2][3];
