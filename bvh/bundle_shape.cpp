@@ -241,7 +241,7 @@ void make_bundle_shape(const ReceiverRays& rays, const OcclusionMask& left, Bund
   cones.is_bundle = is_narrow;
   cones.least = measured.least();
   cones.most = measured.most();
-  if (!is_narrow || count >= PatternCones::kRaysWorthCones) set_cones(measured, shape);
+  if (!is_narrow || cones.are_of_use(count)) set_cones(measured, shape);
 }
 
 }  // namespace

@@ -21,11 +21,12 @@ struct PatternCones {
   // Of an angle that no direction of the pattern exceeds to the z axis: the cosine no more, the sine no less. Not
   // known of bundles.
   float widest_cosine = -1, widest_sine = 1;
-  // A narrow bundle (bundle_shape.h): no component of its rays, in world space, is less or more than this. Of fewer
-  // than kRaysWorthCones there are no cones.
+  // A narrow bundle (bundle_shape.h): no component of its rays, in world space, is less or more than this.
   bool is_bundle = false;
   glm::vec3 least{0}, most{0};
-  static constexpr int kRaysWorthCones = 256;
+  // With fewer rays the cones tell too little to be asked. The intervals above tell most of it: a narrow bundle of so
+  // few has none.
+  bool are_of_use(int ray_count) const { return ray_count >= (is_bundle ? 1024 : 256); }
 };
 
 // Of unit vectors, one at least; the last cone is of those that are left.

@@ -51,9 +51,6 @@ HWY_BEFORE_NAMESPACE();
 namespace lkao::bvh::HWY_NAMESPACE {
 namespace {
 
-// From so many chunks on, children are visited one after the other as they are tested: what the near ones close spares
-// the tests of the others.
-constexpr int kManyChunks = PatternCones::kRaysWorthCones / kLaneCount;
 // A leaf that so many chunks meet is answered triangle by triangle, each with the chunks whose cones meet it.
 constexpr int kChunksWorthCones = 10;
 
@@ -70,11 +67,12 @@ class SimdTraversal {
         parts_(query),
         cones_(cones, query.rays.frame, rays_.chunk_count, query.near(), query.far()),
         bundle_(cones, query.radius),
-        few_(rays_.chunk_count >= kManyChunks ? 32
-             : bundle_.is_of_use()            ? 8
-                                              : 16),
+        asks_cones_(cones.are_of_use(rays_.chunk_count * kLaneCount)),
+        few_(bundle_.is_of_use() ? 4 + rays_.chunk_count / 2
+             : asks_cones_       ? 32
+                                 : 16),
         stream_(layout, query, receiver_, rays_) {
-    if (rays_.chunk_count >= kManyChunks) cones_.prepare();
+    if (asks_cones_) cones_.prepare();
   }
 
   OcclusionMask run() {
@@ -134,7 +132,7 @@ class SimdTraversal {
   }
 
   // Narrow bundles of few rays do without.
-  bool has_cones() const { return !bundle_.is_of_use() || rays_.chunk_count >= kManyChunks; }
+  bool has_cones() const { return !bundle_.is_of_use() || asks_cones_; }
 
   // A leaf that blocks so many is worth a place among the first.
   int many_rays() const { return std::max(2, query_.rays.ray_count / 32); }
@@ -143,7 +141,7 @@ class SimdTraversal {
   HWY_INLINE ActiveRays rays_meeting(const RelativeBoxes<Parts>& boxes, int child, const ActiveRays& active,
                                      ChunkMasks& met) {
     std::uint64_t tested = active.chunks;
-    if (rays_.chunk_count >= kManyChunks) tested &= cones_.meeting(boxes, child);
+    if (asks_cones_) tested &= cones_.meeting(boxes, child);
     test_count_ += std::popcount(tested);
     met.clear(rays_.chunk_count);
     std::uint64_t chunks = 0;
@@ -170,7 +168,7 @@ class SimdTraversal {
   void visit(const Node& node, const ActiveRays& active) {
     RelativeBoxes<Parts> boxes(node, query_);
     if (bundle_.is_of_use()) boxes.keep(bundle_.met(boxes));
-    if (rays_.chunk_count >= kManyChunks) {
+    if (asks_cones_) {
       visit_in_turn(node, boxes, active);
     } else {
       if (bundle_.has_signs()) boxes.sort_faces(bundle_.goes_down());
@@ -354,6 +352,9 @@ class SimdTraversal {
   Parts parts_;
   ChunkCones cones_;
   BundleBox bundle_;
+  // Many rays: the cones of chunks are asked first, and children are visited one after the other as they are tested,
+  // since what the near ones close spares the tests of the others.
+  bool asks_cones_;
   int few_;             // rays of a node that go to the stream: not as many where they stay together
   int test_count_ = 0;  // of a chunk and a box
   RayStream<Parts, kRemembers> stream_;
