@@ -17,6 +17,7 @@
 #include "bake/texture_charts.h"
 #include "bake/texture_layout.h"
 #include "bake/texture_seams.h"
+#include "lut/progress_sum.h"
 #include "lut/require.h"
 
 namespace lkao::bake {
@@ -235,23 +236,32 @@ TextureBake bake_texels(const scene::CornerNormals& normals, const Bounds& occlu
   return TexelBaker(layout, occluders, ask, part, progress).run();
 }
 
-void finish_texture(const scene::CornerNormals& normals, const TextureOptions& options, TextureBake& bake) {
+void finish_texture(const scene::CornerNormals& normals, const TextureOptions& options, TextureBake& bake,
+                    const Progress& progress) {
   const TextureLayout layout(normals, options);
+  const std::size_t map_count = bake.maps.size();
+  lut::ProgressSum steps(progress, options.level_seams ? 3 * map_count + 1 : 2 * map_count);
   // What a bilinear filter reads on the border of a chart.
   constexpr int kFilterReach = 2;
   int margin = options.margin.value_or(usual_margin(options));
   if (options.level_seams) {
-    for (TextureMap& map : bake.maps) grow(map, kFilterReach, options);
+    for (TextureMap& map : bake.maps) {
+      grow(map, kFilterReach, options);
+      steps.add(1);
+    }
     margin = std::max(0, margin - kFilterReach);
     const TextureCharts charts = find_charts(layout);
     const SeamDifferences differences = level_seams(layout, charts, bake.maps);
     bake.report.seam_count = charts.seams.size();
     bake.report.worst_seam_before = differences.before;
     bake.report.worst_seam_after = differences.after;
+    steps.add(1);
   }
   for (TextureMap& map : bake.maps) {
     grow(map, margin, options);
+    steps.add(1);
     flood(map);
+    steps.add(1);
   }
   // A square that only the box around a triangle reaches.
   if (options.udim) std::erase_if(bake.maps, has_no_texel);
@@ -260,7 +270,10 @@ void finish_texture(const scene::CornerNormals& normals, const TextureOptions& o
 TextureBake bake_texture(const scene::CornerNormals& normals, const Bounds& occluders, const TextureOptions& options,
                          const Ask& ask, const Progress& progress) {
   TextureBake bake = bake_texels(normals, occluders, options, ask, {}, progress);
-  finish_texture(normals, options, bake);
+  const std::size_t texel_count = bake.report.texel_count;
+  Progress at_the_end;
+  if (progress) at_the_end = [&](std::size_t, std::size_t) { return progress(texel_count, texel_count); };
+  finish_texture(normals, options, bake, at_the_end);
   return bake;
 }
 

@@ -45,10 +45,14 @@ struct TextureBake {
 TextureBake bake_texels(const scene::CornerNormals& normals, const Bounds& occluders, const TextureOptions& options,
                         const Ask& ask, const TexturePart& part = {}, const Progress& progress = {});
 
-// Levels the seams, lets charts grow by the margin and floods the rest: once all texels are there.
-void finish_texture(const scene::CornerNormals& normals, const TextureOptions& options, TextureBake& bake);
+// Levels the seams, lets charts grow by the margin and floods the rest: once all texels are there. `progress` counts
+// steps, some of which take seconds for a map of 8192 x 8192 texels; where it stops the call (Cancelled), the bake is
+// half finished and of no more use.
+void finish_texture(const scene::CornerNormals& normals, const TextureOptions& options, TextureBake& bake,
+                    const Progress& progress = {});
 
-// Both. Adds to the memory some 1000 bytes for each texel along a seam, and 2 for each texel (6 with bent normals).
+// Both; `progress` counts texels, and while the maps are finished is told that all are there. Adds to the memory some
+// 1000 bytes for each texel along a seam, and 2 for each texel (6 with bent normals).
 TextureBake bake_texture(const scene::CornerNormals& normals, const Bounds& occluders, const TextureOptions& options,
                          const Ask& ask, const Progress& progress = {});
 

@@ -30,8 +30,7 @@ Asker::Asker(const BakingOptions& options, Baking& result, ProgressBar& progress
 
 std::vector<float> Asker::operator()(std::span<const Receiver> receivers) const {
   method::Batch& batch = result_.batch;
-  batch = method::run_batch(*method_, ray_count_, receivers,
-                            {.progress = progress_.watch("casting rays", receivers.size())});
+  batch = method::run_batch(*method_, ray_count_, receivers, {.progress = progress_.watch("casting rays")});
   result_.receiver_count = receivers.size() - batch.invalid_receiver_count;
   result_.remarks = method_->remarks();
   return std::move(batch.occlusion);

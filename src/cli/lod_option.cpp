@@ -72,8 +72,7 @@ lod::Chain make_chain(const LodOption& option, const SceneInput& scene, float ra
 }
 
 lod::Simplified simplify_watched(const scene::Mesh& mesh, const lod::LevelRule& rule, ProgressBar& progress) {
-  lod::Simplified simplified =
-      lod::simplify(mesh, {.levels = rule}, progress.watch("simplifying", mesh.triangles.size()));
+  lod::Simplified simplified = lod::simplify(mesh, {.levels = rule}, progress.watch("simplifying"));
   progress.clear();
   return simplified;
 }

@@ -16,25 +16,19 @@ constexpr const char* kWipeLine = "\r\033[K";
 
 ProgressBar::ProgressBar(bool wanted) : visible_(wanted && isatty(STDERR_FILENO) == 1) {}
 
-void ProgressBar::begin(const std::string& phase) { begin(phase, 0); }
-
-void ProgressBar::begin(const std::string& phase, std::uint64_t total) {
+void ProgressBar::begin(const std::string& phase) {
   phase_ = phase;
-  total_ = total;
-  done_ = 0;
+  total_ = done_ = 0;
   start_ = Clock::now();
   draw();
 }
 
-void ProgressBar::advance(std::uint64_t steps) {
-  done_ += steps;
-  if (Clock::now() - last_drawn_ >= kRedrawInterval) draw();
-}
-
-Progress ProgressBar::watch(const std::string& phase, std::uint64_t total) {
-  begin(phase, total);
-  return [this](std::size_t done, std::size_t) {
-    advance(done - done_);
+Progress ProgressBar::watch(const std::string& phase) {
+  begin(phase);
+  return [this](std::size_t done, std::size_t total) {
+    done_ = done;
+    total_ = total;
+    if (Clock::now() - last_drawn_ >= kRedrawInterval) draw();
     return true;
   };
 }

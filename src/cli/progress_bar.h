@@ -20,11 +20,8 @@ class ProgressBar {
 
   // A phase whose end cannot be foreseen: shows its name only.
   void begin(const std::string& phase);
-  // A phase of `total` steps.
-  void begin(const std::string& phase, std::uint64_t total);
-  void advance(std::uint64_t steps);
-  // A phase of a call that tells how far it is, in `total` steps: what to give it. The bar must outlive the call.
-  Progress watch(const std::string& phase, std::uint64_t total);
+  // A phase of a call that tells how far it is: what to give it. The bar must outlive the call.
+  Progress watch(const std::string& phase);
   // Wipes the line, to make room for other output.
   void clear();
 

@@ -82,7 +82,7 @@ void ask(const Methods& methods, const RenderingOptions& options, const method::
   result.batch = method::run_batch(*methods.asked, question.ray_count, receivers,
                                    {.check = methods.check.get(),
                                     .bent_normals = options.layers.bent_normals,
-                                    .progress = progress.watch(draws ? "drawing" : "casting rays", receivers.size())});
+                                    .progress = progress.watch(draws ? "drawing" : "casting rays")});
   result.batch.invalid_receiver_count -= receivers.size() - result.view.receiver_count;
   result.remarks = methods.asked->remarks();
 }

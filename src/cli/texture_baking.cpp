@@ -96,10 +96,9 @@ TextureBaking compute_texture_baking(const BakingOptions& options, const Texture
   for (MaterialBake& chosen : result.materials) {
     const bake::TextureOptions texture =
         settings.options(chosen.material, wraps_of(chosen, baking.scene.contents), around ? &around->cage() : nullptr);
-    const auto texel_count = static_cast<std::uint64_t>(texture.width) * static_cast<std::uint64_t>(texture.height);
-    chosen.bake = bake::bake_texels(normals, occluders, texture, ask, {}, progress.watch(chosen.name, texel_count));
-    progress.begin("finishing the map of " + chosen.name);
-    if (!options.parts.part) bake::finish_texture(normals, texture, chosen.bake);
+    chosen.bake = bake::bake_texels(normals, occluders, texture, ask, {}, progress.watch(chosen.name));
+    if (options.parts.part) continue;
+    bake::finish_texture(normals, texture, chosen.bake, progress.watch("finishing the map of " + chosen.name));
   }
   progress.clear();
   return result;

@@ -170,7 +170,8 @@ py::tuple finish_texture(const Surface& surface, const TextureOptions& options, 
     udims.push_back(bake.maps.back().udim);
   }
   require(udims == bake::TextureLayout(surface.normals(), options).udims(), kOtherBake);
-  long_call(0, py::none(), [&](const Progress&) { bake::finish_texture(surface.normals(), options, bake); });
+  long_call(0, py::none(),
+            [&](const Progress& watch) { bake::finish_texture(surface.normals(), options, bake, watch); });
   return py::make_tuple(list_of(std::move(bake.maps)), seams_of(bake.report));
 }
 

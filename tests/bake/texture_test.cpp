@@ -209,6 +209,36 @@ TEST(Texture, CanBeWatchedAndStopped) {
   }
 }
 
+TEST(Texture, FinishingTellsItsStepsAndCanBeStopped) {
+  Mesh mesh;
+  add_uv_quad(mesh, {{0, 0, 0}, {0, 0, 1}, {1, 0, 1}, {1, 0, 0}}, {{0, 0}, {0.5f, 1}});
+  const CornerNormals normals(mesh, NormalSource::facet);
+  const TextureOptions options{.width = 16, .height = 16};
+  const Bounds bounds = scene::bounds_of(mesh);
+  const Ask dark = [](std::span<const Receiver> receivers, const QueryOutputs& outputs, std::uint64_t) {
+    std::fill_n(outputs.occlusion.begin(), receivers.size(), 1.0f);
+  };
+  for (const std::size_t last : {1u, 2u, 3u, 4u}) {
+    TextureBake bake = bake_texels(normals, bounds, options, dark);
+    std::vector<std::size_t> steps;
+    const auto stop = [&](std::size_t done, std::size_t total) {
+      EXPECT_EQ(total, 4u);
+      steps.push_back(done);
+      return done < last;
+    };
+    EXPECT_THROW(finish_texture(normals, options, bake, stop), Cancelled);
+    EXPECT_EQ(steps.size(), last);
+  }
+
+  // A whole bake is told that all texels are there, and stops then.
+  std::size_t times = 0;
+  const auto stop = [&](std::size_t done, std::size_t total) {
+    EXPECT_EQ(total, 256u);
+    return done < total || ++times < 3;
+  };
+  EXPECT_THROW(bake_texture(normals, bounds, options, dark, stop), Cancelled);
+}
+
 // Samples of a texel that half of lies in a chart count by their area, and what is not answered does not count.
 TEST(Texture, ATexelIsTheMeanOverItsArea) {
   Mesh mesh;

@@ -181,7 +181,7 @@ def bake_texture(
     part: (k, n): only the k-th share of n, from 0 on, for several machines. merge: what that returned for all n, with
         the other arguments as they were there: nothing is cast, but the maps are put together and finished, with the
         bits of the whole.
-    progress: counts texels; see Scene. What follows them, levelling seams and filling gaps, cannot be stopped.
+    progress: counts texels; see Scene. While seams are levelled and gaps filled, it is told that all are there.
 
     Memory: 5 bytes a texel, 17 with bent normals, and some 1000 for each along a seam that is levelled. Raises
     ValueError and TypeError naming the argument, and ValueError where no triangle has texture coordinates.
