@@ -46,7 +46,8 @@ std::size_t size_in_bytes(const Vector& values) {
 
 std::size_t memory_bytes(const Layout& layout) {
   return size_in_bytes(layout.nodes) + size_in_bytes(layout.leaves) + size_in_bytes(layout.mesh.positions) +
-         size_in_bytes(layout.mesh.triangles) + size_in_bytes(layout.dropped) + size_in_bytes(layout.resting);
+         size_in_bytes(layout.mesh.triangles) + size_in_bytes(layout.dropped) + size_in_bytes(layout.resting) +
+         (layout.grids != nullptr ? layout.grids->memory_bytes() : 0);
 }
 
 std::shared_ptr<Layout> build(const TriangleMesh& mesh, const BuildOptions& options, const Progress& progress) {
@@ -55,6 +56,9 @@ std::shared_ptr<Layout> build(const TriangleMesh& mesh, const BuildOptions& opti
   layout->bounds = kNowhere;
   check(options.cut_outs, mesh.triangles.size());
   layout->options = options;
+  if (options.cut_outs.survey) {
+    layout->grids = std::make_shared<const HoleGrids>(options.cut_outs, mesh.triangles.size());
+  }
   layout->mesh = pack(mesh, options.mesh_storage);
   const std::size_t triangle_count = mesh.triangles.size();
   SplitBuilder builder(layout->mesh, options.spatial_splits);

@@ -30,8 +30,8 @@ class Flattener {
 
  private:
   void fill_leaf(const BuildLeaf& source, Place place) {
-    layout_.leaves[place.leaf] =
-        make_leaf(layout_.mesh, {source.primitives, source.size.reference_count}, layout_.options.cut_outs);
+    layout_.leaves[place.leaf] = make_leaf(layout_.mesh, {source.primitives, source.size.reference_count},
+                                           layout_.options.cut_outs, layout_.grids.get());
   }
 
   // The sizes of the children say where each begins, so that all of them can be filled at once.

@@ -5,11 +5,13 @@
 #include <compare>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <span>
 #include <vector>
 
 #include <glm/vec3.hpp>
 
+#include "bvh/hole_grids.h"
 #include "bvh/huge_pages.h"
 #include "bvh/packed_mesh.h"
 #include "bvh/usable_triangle.h"
@@ -88,7 +90,8 @@ struct alignas(32) Leaf {
   float u_gradient[3][kLeafWidth];   // of the first barycentric coordinate, which is 0 at `vertex`
   float v_gradient[3][kLeafWidth];   // of the second
   float back_normal[3][kLeafWidth];  // unit vector to the side that the triangle does not face
-  float steepness[kLeafWidth];       // largest component of the gradients; infinite: leave it to TriangleTest
+  float steepness[kLeafWidth];       // largest component of the gradients, below 0 where the triangle has holes;
+                                     // infinite: leave it to TriangleTest
   std::uint32_t primitives[kLeafWidth];
 
   int triangle_count() const {
@@ -128,7 +131,9 @@ struct Layout {
   Bounds bounds;
   BuildReport report;
 
-  // For refits.
+  std::shared_ptr<const HoleGrids> grids;  // of options.cut_outs; null where nothing is known of them
+
+  // For refits, and what decides about triangles with holes.
   BuildOptions options;
   SurfaceAreas built;                    // at the build
   std::vector<std::uint32_t> dropped;    // primitives in no leaf, in order

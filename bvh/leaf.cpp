@@ -32,8 +32,8 @@ double largest_component(const glm::dvec3& v) {
   return std::max(std::fabs(v.x), std::max(std::fabs(v.y), std::fabs(v.z)));
 }
 
-void set_triangle(Leaf& leaf, int triangle, const glm::dvec3 (&corners)[3], bool has_frame) {
-  const int first = corner_opposite_longest_edge(corners);
+void set_triangle(Leaf& leaf, int triangle, const glm::dvec3 (&corners)[3], bool has_holes) {
+  const int first = has_holes ? 0 : corner_opposite_longest_edge(corners);
   const glm::dvec3 vertex = corners[first];
   const glm::dvec3 b = corners[(first + 1) % 3] - vertex, c = corners[(first + 2) % 3] - vertex;
   const glm::dvec3 normal = glm::cross(b, c);
@@ -45,19 +45,21 @@ void set_triangle(Leaf& leaf, int triangle, const glm::dvec3 (&corners)[3], bool
   // Thinner than this, even double precision has lost the direction of the normal.
   const bool is_thin = !(area2 > 0x1p-52 * glm::dot(b, b) * glm::dot(c, c));
   const bool fits_float = steepness < 0.5 * static_cast<double>(std::numeric_limits<float>::max());
-  if (is_thin || !fits_float || !has_frame) {
-    leaf.steepness[triangle] = std::numeric_limits<float>::infinity();
+  const float sign = has_holes ? -1.0f : 1.0f;
+  if (is_thin || !fits_float) {
+    leaf.steepness[triangle] = sign * std::numeric_limits<float>::infinity();
     return;  // gradients and normal stay 0
   }
   store(leaf.u_gradient, triangle, u_gradient);
   store(leaf.v_gradient, triangle, v_gradient);
   store(leaf.back_normal, triangle, -normal / std::sqrt(area2));
-  leaf.steepness[triangle] = static_cast<float>(steepness);
+  leaf.steepness[triangle] = sign * static_cast<float>(steepness);
 }
 
 }  // namespace
 
-Leaf make_leaf(const PackedMesh& mesh, std::span<const std::uint32_t> primitives, const CutOuts& cut_outs) {
+Leaf make_leaf(const PackedMesh& mesh, std::span<const std::uint32_t> primitives, const CutOuts& cut_outs,
+               const HoleGrids* grids) {
   Leaf leaf{};
   for (int triangle = 0; triangle < kLeafWidth; ++triangle) {
     const auto place = static_cast<std::size_t>(triangle);
@@ -66,7 +68,7 @@ Leaf make_leaf(const PackedMesh& mesh, std::span<const std::uint32_t> primitives
     set_triangle(leaf, triangle,
                  {glm::dvec3(mesh.corner(primitive, 0)), glm::dvec3(mesh.corner(primitive, 1)),
                   glm::dvec3(mesh.corner(primitive, 2))},
-                 !has_holes(cut_outs, primitive));
+                 has_holes(cut_outs, grids, primitive));
   }
   return leaf;
 }

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <span>
 
+#include "bvh/hole_grids.h"
 #include "bvh/layout.h"
 #include "lkao/cut_outs.h"
 
@@ -19,7 +20,9 @@ namespace lkao::bvh {
 // Of the three corners, `vertex` is the one opposite the longest edge: the third coordinate 1 - u - v is then no
 // steeper than twice the others, and keeps their precision.
 //
-// Those with holes have no frame, like slivers: their rays are left to TriangleTest, which is asked about the holes.
-Leaf make_leaf(const PackedMesh& mesh, std::span<const std::uint32_t> primitives, const CutOuts& cut_outs = {});
+// Of those with holes it is the first of the mesh, so that (u, v) is the place that the holes are asked about. `grids`
+// of the same holes, or null.
+Leaf make_leaf(const PackedMesh& mesh, std::span<const std::uint32_t> primitives, const CutOuts& cut_outs = {},
+               const HoleGrids* grids = nullptr);
 
 }  // namespace lkao::bvh

@@ -77,20 +77,36 @@ inline TriangleTest make_test(const Layout& layout, std::uint32_t primitive, con
   return {corners.a, corners.b, corners.c, world.rays.origin, world.radius, query.sidedness};
 }
 
+inline bool has_holes(const Layout& layout, std::uint32_t primitive) {
+  return has_holes(layout.options.cut_outs, layout.grids.get(), primitive);
+}
+
+// The number of the query's ray in the world.
+inline int number_in_world(const Query& query, int ray) {
+  return query.placed != nullptr ? query.placed->numbers[ray] : ray;
+}
+
+// The definition for one ray of the query that meets the triangle with holes that the test was made of.
+inline bool blocks_where_met(const TriangleTest& test, const Layout& layout, std::uint32_t primitive,
+                             const Query& query, int ray) {
+  const Query& world = query.placed != nullptr ? query.placed->world : query;
+  const int number = number_in_world(query, ray);
+  const glm::dvec2 place = test.place(world.rays.ray(number));
+  const bool is_mirrored = query.placement != nullptr && query.placement->is_mirrored;
+  return is_blocked_there(layout.options.cut_outs, layout.grids.get(), query.instance, primitive,
+                          is_mirrored ? glm::dvec2(place.y, place.x) : place, {query.key, number});
+}
+
 // The definition for one ray of the query and the triangle that the test was made of.
 inline bool blocks(const TriangleTest& test, const Layout& layout, std::uint32_t primitive, const Query& query,
                    int ray) {
   const Query& world = query.placed != nullptr ? query.placed->world : query;
-  const int number = query.placed != nullptr ? query.placed->numbers[ray] : ray;
+  const int number = number_in_world(query, ray);
   const glm::vec3 segment = world.rays.ray(number);
   const bool meets = world.parts == nullptr
                          ? test.blocks(segment)
                          : test.blocks(segment, world.parts->begin[number], world.parts->end[number]);
-  if (!meets || !has_holes(layout.options.cut_outs, primitive)) return meets;
-  const glm::dvec2 place = test.place(segment);
-  const bool is_mirrored = query.placement != nullptr && query.placement->is_mirrored;
-  return is_blocked_there(layout.options.cut_outs, query.instance, primitive,
-                          is_mirrored ? glm::dvec2(place.y, place.x) : place, {query.key, number});
+  return meets && (!has_holes(layout, primitive) || blocks_where_met(test, layout, primitive, query, ray));
 }
 
 // Rays 0 to count - 1.

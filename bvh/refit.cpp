@@ -106,7 +106,7 @@ class Refitter {
       *end++ = primitive;
     }
     if (end == primitives) ++end;  // a leaf that nothing reaches holds something as well
-    layout_.leaves[index] = make_leaf(layout_.mesh, {primitives, end}, layout_.options.cut_outs);
+    layout_.leaves[index] = make_leaf(layout_.mesh, {primitives, end}, layout_.options.cut_outs, layout_.grids.get());
     return bounds;
   }
 
@@ -164,6 +164,7 @@ std::shared_ptr<Layout> refit_topology(const Layout& old, const PositionView& po
   if (std::any_of(old.dropped.begin(), old.dropped.end(), is_of_use)) return nullptr;
   layout->bounds = kNowhere;
   layout->options = old.options;
+  layout->grids = old.grids;
   layout->built = old.built;
   layout->dropped = old.dropped;
   layout->report = old.report;

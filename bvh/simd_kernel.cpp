@@ -42,6 +42,7 @@ HWY_AFTER_NAMESPACE();
 #include "bvh/simd/bundle_box-inl.h"
 #include "bvh/simd/chunk_cones-inl.h"
 #include "bvh/simd/direction_cells-inl.h"
+#include "bvh/simd/holed_leaf-inl.h"
 #include "bvh/simd/leaf_frames-inl.h"
 #include "bvh/simd/leaf_planes-inl.h"
 #include "bvh/simd/ray_sets-inl.h"
@@ -284,29 +285,53 @@ class SimdTraversal {
     }
   }
 
-  // Returns how many rays it blocks, where that is to be remembered.
+  // Return how many rays it blocks, where that is to be remembered.
   int visit(const Leaf& leaf, const ActiveRays& active) {
+    return HWY_UNLIKELY(receiver_.has_holes) ? visit_leaf<true>(leaf, active) : visit_leaf<false>(leaf, active);
+  }
+
+  template <bool kHasHoles>
+  int visit_leaf(const Leaf& leaf, const ActiveRays& active) {
     const Leaf* const leaves[] = {&leaf};
-    LeafFrames<1> frames(receiver_, leaves);
+    LeafFrames<1, kHasHoles> frames(receiver_, leaves);
     frames.decide_sides(receiver_);
     const std::uint32_t reached = frames.reached(query_.far(), query_.rays.frame[2], pattern_cones_);
     if (reached == 0) return 0;
     const LeafPlanes planes(frames, query_.radius, reached);
+    const std::uint32_t holed = kHasHoles ? reached & frames.holed() & ((1u << leaf.triangle_count()) - 1) : 0;
     int blocked_count = 0;
     const bool use_cones = std::popcount(active.chunks) >= kChunksWorthCones && has_cones();
-    if (!use_cones && std::popcount(reached) > 2) {
+    if (!use_cones && std::popcount(reached) > 2 && holed == 0) {
       for_each_chunk(active.chunks, [&](int chunk) {
         blocked_count += close(leaf, planes, chunk, active.masks[chunk], planes.blocked(rays_, parts_, chunk));
       });
       return blocked_count;
     }
-    for (std::uint32_t triangles = reached; triangles != 0; triangles &= triangles - 1) {
+    for (std::uint32_t triangles = reached & ~frames.holed(); triangles != 0; triangles &= triangles - 1) {
       const int triangle = std::countr_zero(triangles);
       std::uint64_t chunks = active.chunks;
       if (use_cones) chunks &= planes.chunks_meeting(triangle, cones_, query_.radius);
       for_each_chunk(chunks, [&](int chunk) {
         const Verdict verdict = planes.blocked(triangle, rays_, parts_, chunk);
         blocked_count += close(leaf, planes, chunk, active.masks[chunk], verdict);
+      });
+    }
+    // What whole triangles block asks nothing.
+    if constexpr (kHasHoles) blocked_count += visit_holed(leaf, planes, holed, active, use_cones);
+    return blocked_count;
+  }
+
+  int visit_holed(const Leaf& leaf, const LeafPlanes& planes, std::uint32_t triangles, const ActiveRays& active,
+                  bool use_cones) {
+    int blocked_count = 0;
+    for (; triangles != 0; triangles &= triangles - 1) {
+      const int triangle = std::countr_zero(triangles);
+      HoledPlanes holed(layout_, query_, planes, triangle, leaf.primitives[triangle]);
+      std::uint64_t chunks = active.chunks;
+      if (use_cones) chunks &= planes.chunks_meeting(triangle, cones_, query_.radius);
+      for_each_chunk(chunks, [&](int chunk) {
+        const std::uint32_t open = active.masks[chunk] & rays_.open[chunk];
+        if (open != 0) blocked_count += close(leaf, chunk, holed.blocked(rays_, parts_, chunk, open));
       });
     }
     return blocked_count;
@@ -318,6 +343,10 @@ class SimdTraversal {
     std::uint32_t blocked = verdict.sure & mask;
     const std::uint32_t in_doubt = verdict.perhaps & ~verdict.sure & mask;
     if (HWY_UNLIKELY(in_doubt != 0)) blocked |= resolve(leaf, planes, chunk, in_doubt);
+    return close(leaf, chunk, blocked);
+  }
+
+  HWY_INLINE int close(const Leaf& leaf, int chunk, std::uint32_t blocked) {
     int count = 0;
     if constexpr (kRemembers) {
       const std::uint32_t closed = blocked & rays_.open[chunk];

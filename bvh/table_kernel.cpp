@@ -34,7 +34,7 @@ class TableKernel {
     const TriangleTest test = make_test(layout, primitive, query);
     if (!test.can_block()) return blocked;
     MaskBounds bounds = look_up(test, mask);
-    if (has_holes(layout.options.cut_outs, primitive)) bounds.must = OcclusionMask();
+    if (has_holes(layout, primitive)) bounds.must = OcclusionMask();
     blocked = bounds.must;
     for_each_ray(bounds.may & ~bounds.must, word_count_, [&](int ray) {
       if (blocks(test, layout, primitive, query, ray)) blocked.set(ray);

@@ -16,6 +16,7 @@
 #include "bvh/layout.h"
 #include "bvh/pattern_cones.h"
 #include "bvh/query.h"
+#include "bvh/simd/hole_squares-inl.h"
 #include "bvh/simd/lanes-inl.h"
 #include "bvh/simd/ray_parts-inl.h"
 #include "bvh/simd/ray_sets-inl.h"
@@ -37,6 +38,7 @@ struct LeafReceiver {
     near = 0x1p-22f * std::max(size.x, std::max(size.y, size.z));
     radius_rounding = 0x1p-24f * query.radius;
     displacement = query.placed != nullptr ? query.placed->displacement : 0;
+    has_holes = bvh::has_holes(layout.options.cut_outs);
   }
 
   const Layout& layout;
@@ -45,7 +47,11 @@ struct LeafReceiver {
   float near;             // see LeafFrames
   float radius_rounding;  // of single precision
   float displacement;     // of corners; 0 where the rays are in the world
+  bool has_holes;         // of some triangle
 };
+
+// Of a coordinate from 0 to 1, beside what the slacks of triangles say: quotients and their rounding to float.
+inline constexpr float kPlaceRounding = 0x1p-20f;
 
 // Leaves that are answered at once, and numbers of one ray for each. Vectors of 16 lanes would hold 4, but filling them
 // costs more than it saves.
@@ -87,7 +93,9 @@ HWY_INLINE hn::Vec<LeafTag<kCount>> spread(const float* values, const std::uint3
 // and their sum by 22 e g |p| 1.7321 r = 39 e g |p| r. The third edge adds up the errors of both, and 6 e 1.7321 r. The
 // bounds below grant more than that. To |p| comes a little for the definition's own tolerance where the origin is at
 // the vertex.
-template <int kCount>
+//
+// kHasHoles: some triangles may have holes.
+template <int kCount, bool kHasHoles = false>
 class LeafFrames {
  public:
   using Tag = LeafTag<kCount>;
@@ -109,7 +117,11 @@ class LeafFrames {
     const auto reach = hn::Add(hn::Add(hn::Abs(px), hn::Abs(py)), hn::Add(hn::Abs(pz), hn::Set(tag, receiver.near)));
     auto distance_slack = hn::Mul(hn::Set(tag, 6 * 0x1p-24f), reach);
     const auto radius_rounding = hn::Set(tag, receiver.radius_rounding);
-    const auto steepness = load([](const Leaf& leaf) { return leaf.steepness; });
+    auto steepness = load([](const Leaf& leaf) { return leaf.steepness; });
+    if constexpr (kHasHoles) {
+      holed_ = bits_of(tag, hn::Lt(steepness, hn::Zero(tag)));
+      steepness = hn::Abs(steepness);
+    }
     edge_slack_ =
         hn::Mul(hn::MulAdd(hn::Mul(steepness, reach), hn::Set(tag, 90.0f), hn::Set(tag, 12.0f)), radius_rounding);
     own_slack_ = hn::MulAdd(hn::Set(tag, 10.0f), radius_rounding, distance_slack);
@@ -148,6 +160,9 @@ class LeafFrames {
   // Triangles that can block a ray at all.
   std::uint32_t candidates() const { return candidates_; }
 
+  // Triangles with holes, of which blocked() says whether they are met.
+  std::uint32_t holed() const { return holed_; }
+
   // Triangles that block the ray of their leaf.
   template <class Parts>
   HWY_INLINE Verdict blocked(const RaySet& rays, const Parts& parts, const std::uint32_t (&numbers)[kCount]) const {
@@ -169,6 +184,33 @@ class LeafFrames {
     return {bits_of(tag, met) & candidates_, ~bits_of(tag, missed) & candidates_};
   }
 
+  // Where the ray meets the triangles that it is sure to meet, up to their holes.
+  //
+  // A coordinate is u / towards. The edge slack covers the errors of both, and where corners are off by d, three times
+  // it is enough: the same point of the moved triangle lies no farther than d away, and what the ray meets no farther
+  // than d r / towards from there, which changes the coordinate by no more than 1.7321 g (d + d r / towards); the slack
+  // of what is sure holds 8.4 d g r, and r is no less than `towards`.
+  HWY_INLINE Places<Tag> places(const RaySet& rays, const std::uint32_t (&numbers)[kCount]) const {
+    const Tag tag;
+    const auto rx = spread(rays.x, numbers), ry = spread(rays.y, numbers), rz = spread(rays.z, numbers);
+    const auto towards = hn::Xor(dot(kBackNormal, rx, ry, rz), turn_);
+    const auto u = hn::MulAdd(u_, towards, hn::Mul(distance_, dot(kUGradient, rx, ry, rz)));
+    const auto v = hn::MulAdd(v_, towards, hn::Mul(distance_, dot(kVGradient, rx, ry, rz)));
+    const auto inverse = hn::Div(hn::Set(tag, 1.0f), towards);
+    return {hn::Mul(u, inverse), hn::Mul(v, inverse),
+            hn::MulAdd(hn::Mul(hn::Set(tag, 3.0f), edge_slack_), inverse, hn::Set(tag, kPlaceRounding))};
+  }
+
+  // What is known of the triangles with holes there, of those that it is sure to meet.
+  HWY_INLINE KnownHoles known_holes(const HoleSquares& squares, const RaySet& rays,
+                                    const std::uint32_t (&numbers)[kCount]) const {
+    const Tag tag;
+    const hn::RebindToSigned<Tag> number_tag;
+    const float* rows[kCount];
+    for (int i = 0; i < kCount; ++i) rows[i] = reinterpret_cast<const float*>(leaves_[i]->primitives);
+    return squares.at(tag, hn::BitCast(number_tag, load_rows(rows)), places(rays, numbers));
+  }
+
   // Triangles that may block some ray of the pattern or bundle: those whose plane is not farther away than rays go
   // towards it that are no longer than `far` and nowhere farther from `axis` than the cones say.
   HWY_INLINE std::uint32_t reached(float far, const glm::vec3& axis, const PatternCones& cones) const {
@@ -177,7 +219,8 @@ class LeafFrames {
     const auto farthest = cones.is_bundle ? farthest_of_bundle(cones) : farthest_of_pattern(far, axis, cones);
     const auto is_out = hn::Gt(nearest, farthest);
     // Not those that are left to TriangleTest: their normals are unknown.
-    const auto steepness = load([](const Leaf& leaf) { return leaf.steepness; });
+    auto steepness = load([](const Leaf& leaf) { return leaf.steepness; });
+    if constexpr (kHasHoles) steepness = hn::Abs(steepness);
     const auto is_known = hn::Lt(steepness, hn::Set(tag, std::numeric_limits<float>::infinity()));
     return candidates_ & ~bits_of(tag, hn::And(is_out, is_known));
   }
@@ -291,6 +334,7 @@ class LeafFrames {
   Floats edge_slack_, own_slack_;
   std::uint32_t candidates_ = kAllTriangles;
   std::uint32_t unsure_sides_;
+  std::uint32_t holed_ = 0;
 };
 
 }  // namespace lkao::bvh::HWY_NAMESPACE

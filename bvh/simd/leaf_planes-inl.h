@@ -37,7 +37,8 @@ namespace lkao::bvh::HWY_NAMESPACE {
 class LeafPlanes {
  public:
   // `triangles`: those that can block a ray at all, as LeafFrames::reached() finds them.
-  HWY_INLINE LeafPlanes(const LeafFrames<1>& frames, float radius, std::uint32_t triangles) {
+  template <bool kHasHoles>
+  HWY_INLINE LeafPlanes(const LeafFrames<1, kHasHoles>& frames, float radius, std::uint32_t triangles) {
     const LeafTag<1> tag;
     const auto zero = hn::Zero(tag), one = hn::Set(tag, 1.0f), least = hn::Set(tag, 1e-30f);
     // A slack that is no number stays one, as the second operand.
@@ -48,6 +49,7 @@ class LeafPlanes {
     const auto fits = hn::Lt(edge_slack, hn::Set(tag, most));
     const auto edge_scale = hn::IfThenElseZero(fits, hn::Div(one, edge_slack)), own_scale = hn::Div(one, own_slack);
     for (int axis = 0; axis < 3; ++axis) {
+      using Frames = LeafFrames<1, kHasHoles>;
       const auto towards = hn::Xor(frames.load(Frames::kBackNormal, axis), frames.turn_);
       const auto row = [&](const auto& origin, auto gradient) HWY_ATTR {
         const auto value = hn::MulAdd(origin, towards, hn::Mul(frames.distance_, frames.load(gradient, axis)));
@@ -84,6 +86,27 @@ class LeafPlanes {
     return judge(rays, chunk, [&](const auto& x, const auto& y, const auto& z, int first) HWY_ATTR {
       return margin(triangle, x, y, z, parts, first);
     });
+  }
+
+  // What is known of a triangle with holes where the rays of a chunk meet it, of those that are sure to: places are
+  // those of LeafFrames, in units of the edge slack.
+  HWY_INLINE KnownHoles known_holes(const HoleSquares& squares, std::uint32_t primitive, int triangle,
+                                    const RaySet& rays, int chunk) const {
+    const RayTag tag;
+    KnownHoles all;
+    for (int i = 0; i < kLaneCount; i += lane_count(tag)) {
+      const int first = chunk * kLaneCount + i;
+      const auto x = hn::Load(tag, rays.x + first), y = hn::Load(tag, rays.y + first),
+                 z = hn::Load(tag, rays.z + first);
+      const auto inverse = hn::Div(hn::Set(tag, 1.0f), dot(towards_, triangle, x, y, z));
+      const Places<RayTag> places{hn::Mul(dot(u_, triangle, x, y, z), inverse),
+                                  hn::Mul(dot(v_, triangle, x, y, z), inverse),
+                                  hn::MulAdd(hn::Set(tag, 3.0f), inverse, hn::Set(tag, kPlaceRounding))};
+      const KnownHoles some = squares.at(tag, primitive, places);
+      all.clear |= some.clear << i;
+      all.opaque |= some.opaque << i;
+    }
+    return all;
   }
 
   // Chunks of the pattern that may have a ray which meets the triangle, as bits. Rays are no longer than `radius`.
@@ -125,7 +148,6 @@ class LeafPlanes {
   }
 
  private:
-  using Frames = LeafFrames<1>;
   using RayFloats = hn::Vec<RayTag>;
   static constexpr std::uint32_t kLanes = (1u << hn::MaxLanes(RayTag())) - 1;
 

@@ -14,6 +14,7 @@
 #include <hwy/highway.h>
 
 #include "bvh/blocker_memory.h"
+#include "bvh/holed_triangle.h"
 #include "bvh/layout.h"
 #include "bvh/query.h"
 #include "bvh/ray_box.h"
@@ -33,7 +34,7 @@ template <class Parts, bool kRemembers>
 class RayStream {
  public:
   RayStream(const Layout& layout, const Query& query, const LeafReceiver& receiver, RaySet& rays)
-      : layout_(layout), query_(query), receiver_(receiver), rays_(rays), parts_(query) {}
+      : layout_(layout), query_(query), receiver_(receiver), rays_(rays), parts_(query), squares_(layout.grids.get()) {}
 
   // Adds the rays that may meet a child.
   HWY_INLINE void push(ChildRef child, const ActiveRays& active) {
@@ -208,6 +209,15 @@ class RayStream {
 
   static HWY_INLINE std::uint32_t sign_of(float value) { return std::bit_cast<std::uint32_t>(value) >> 31; }
 
+  void visit_leaves() {
+    if (HWY_UNLIKELY(receiver_.has_holes)) {
+      visit_leaves<true>();
+    } else {
+      visit_leaves<false>();
+    }
+  }
+
+  template <bool kHasHoles>
   HWY_NOINLINE void visit_leaves() {
     // A copy: for all the compiler knows, stores to the lists could change what the reference refers to.
     const LeafReceiver receiver = receiver_;
@@ -217,10 +227,11 @@ class RayStream {
       leaves_.children[i] = leaves_.children[count - 1];
       leaves_.rays[i] = leaves_.rays[count - 1];
     }
-    for (int i = 0; i < count; i += kLeavesAtOnce) visit_leaves_at(receiver, i);
+    for (int i = 0; i < count; i += kLeavesAtOnce) visit_leaves_at<kHasHoles>(receiver, i);
     leaves_.count = 0;
   }
 
+  template <bool kHasHoles>
   HWY_INLINE void visit_leaves_at(const LeafReceiver& receiver, int first) {
     const Leaf* leaves[kLeavesAtOnce];
     std::uint32_t rays[kLeavesAtOnce];
@@ -228,31 +239,54 @@ class RayStream {
       leaves[i] = layout_.leaves.data() + leaves_.children[first + i];
       rays[i] = leaves_.rays[first + i];
     }
-    const LeafFrames<kLeavesAtOnce> frames(receiver, leaves);
+    const LeafFrames<kLeavesAtOnce, kHasHoles> frames(receiver, leaves);
     const Verdict triangles = frames.blocked(rays_, parts_, rays);
-    const std::uint32_t in_doubt = (triangles.perhaps & ~triangles.sure) | frames.unsure_sides();
+    std::uint32_t sure = triangles.sure & ~frames.holed(), clear = 0;
+    if (kHasHoles && squares_.is_of_use()) {
+      const KnownHoles known = frames.known_holes(squares_, rays_, rays);
+      const std::uint32_t met = triangles.sure & frames.holed() & ~frames.unsure_sides();
+      sure |= met & known.opaque;
+      clear = met & known.clear;
+    }
+    const std::uint32_t in_doubt = (triangles.perhaps & ~sure & ~clear) | frames.unsure_sides();
     for (int i = 0; i < kLeavesAtOnce; ++i) {
       constexpr std::uint32_t kOneLeaf = (1u << kLeafWidth) - 1;
-      std::uint32_t blocked = (triangles.sure >> (i * kLeafWidth) & kOneLeaf) != 0;
+      std::uint32_t blocked = (sure >> (i * kLeafWidth) & kOneLeaf) != 0;
       if (HWY_UNLIKELY((in_doubt >> (i * kLeafWidth) & kOneLeaf) != 0))
-        blocked = resolve(receiver, *leaves[i], rays[i]);
+        blocked = resolve(receiver, *leaves[i], rays[i], clear >> (i * kLeafWidth) & kOneLeaf);
       rays_.close(rays[i], blocked);
       if constexpr (kRemembers) rays_.blockers[blocked != 0 ? rays[i] : kMaxRayCount] = leaves_.children[first + i];
     }
   }
 
-  // Does any triangle of the leaf block the ray? In doubt, TriangleTest decides.
-  HWY_NOINLINE bool resolve(const LeafReceiver& receiver, const Leaf& leaf, std::uint32_t ray) const {
+  // Does any triangle of the leaf block the ray? In doubt, TriangleTest decides; of those with holes, their holes.
+  // It passes those that are `clear`.
+  HWY_NOINLINE bool resolve(const LeafReceiver& receiver, const Leaf& leaf, std::uint32_t ray,
+                            std::uint32_t clear) const {
     const Leaf* const leaves[] = {&leaf};
     const std::uint32_t rays[] = {ray};
-    LeafFrames<1> frames(receiver, leaves);
+    LeafFrames<1, true> frames(receiver, leaves);
     frames.decide_sides(receiver);
     const Verdict triangles = frames.blocked(rays_, parts_, rays);
-    if (triangles.sure != 0) return true;
-    for (std::uint32_t rest = triangles.perhaps; rest != 0; rest &= rest - 1) {
+    if ((triangles.sure & ~frames.holed()) != 0) return true;
+    const std::uint32_t holed = triangles.perhaps & frames.holed() & ~clear;
+    if (holed != 0 && goes_through_no_hole(leaf, ray, holed, triangles.sure)) return true;
+    for (std::uint32_t rest = triangles.perhaps & ~frames.holed(); rest != 0; rest &= rest - 1) {
       const std::uint32_t primitive = leaf.primitives[std::countr_zero(rest)];
       const TriangleTest test = make_test(layout_, primitive, query_);
       if (test.can_block() && blocks(test, layout_, primitive, query_, static_cast<int>(ray))) return true;
+    }
+    return false;
+  }
+
+  // Of the triangles with holes that the ray may meet, those `sure` for sure: does any block it?
+  bool goes_through_no_hole(const Leaf& leaf, std::uint32_t ray, std::uint32_t holed, std::uint32_t sure) const {
+    for (holed &= (1u << leaf.triangle_count()) - 1; holed != 0; holed &= holed - 1) {
+      const int i = std::countr_zero(holed);
+      HoledTriangle triangle(layout_, query_, leaf.primitives[i]);
+      const bool is_sure = (sure >> i & 1) != 0;
+      const int number = static_cast<int>(ray);
+      if (is_sure ? triangle.blocks_met(number) : triangle.blocks(number)) return true;
     }
     return false;
   }
@@ -262,6 +296,7 @@ class RayStream {
   const LeafReceiver& receiver_;
   RaySet& rays_;
   Parts parts_;
+  HoleSquares squares_;
   int pair_count_ = 0;
   Pairs pairs_;   // children as ChildRef::bits
   Pairs leaves_;  // children as indices into layout_.leaves

@@ -1,4 +1,5 @@
 // Triangles with holes.
+#include <atomic>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -13,6 +14,7 @@
 #include "support/instances.h"
 #include "support/kernel_choice.h"
 #include "support/receivers.h"
+#include "support/sanitized.h"
 
 namespace lkao {
 namespace {
@@ -136,6 +138,54 @@ TEST_P(CutOutTriangles, AskTheirFilterOnlyWhereTheyHaveHoles) {
   }
 }
 
+// Fields of 8 x 16, there and not there in turn; and a survey that is right to the last float, with fields of the
+// opposite kind side by side: a ray that is taken for one next door gets the wrong answer.
+bool is_dark(std::uint32_t primitive, float u, float v) {
+  return (static_cast<int>(8 * u) + static_cast<int>(16 * v) + static_cast<int>(primitive)) % 2 != 0;
+}
+
+CutOutPart survey_fields(std::uint32_t primitive, float u0, float v0, float size) {
+  if (size > 1.0f / 16) return CutOutPart::mixed;
+  return is_dark(primitive, u0, v0) ? CutOutPart::opaque : CutOutPart::clear;
+}
+
+TEST_P(CutOutTriangles, AreTheSameWithASurvey) {
+  lut::RandomStream random(23);
+  std::atomic<int> asked_count = 0;
+  const auto blocks = [&](std::uint32_t, std::uint32_t primitive, float u, float v) {
+    ++asked_count;
+    return is_dark(primitive, u, v);
+  };
+  // Large ones near by, small ones, and some far from where they count, which floats put elsewhere.
+  const glm::mat4x3 far = tests::random_transform(random, glm::vec3(1, -2, 0.5f), {500, -300, 400});
+  const struct {
+    float size;
+    glm::mat4x3 to_world;
+  } cases[] = {{0.5f, glm::mat4x3(1)}, {0.05f, glm::mat4x3(1)}, {0.5f, far}};
+  for (const auto& [size, to_world] : cases) {
+    const Mesh mesh = tests::random_soup(600, size, 24);
+    const auto scene_of = [&, place = to_world](const CutOuts& cut_outs) {
+      return OccluderScene({OccluderBvh(mesh.view(), {.cut_outs = cut_outs})},
+                           std::vector<OccluderInstance>{{0, place}});
+    };
+    const RayOptions options{.radius = 2, .surface_offset = 0, .min_distance = size < 0.1f ? 0.0f : 0.1f};
+    const AmbientOcclusion ao = ask(scene_of({.blocks = blocks, .survey = survey_fields}), options, 512),
+                           definition(scene_of({.blocks = blocks}), ao.pattern(), options, Kernel::scalar);
+    std::vector<Receiver> receivers = tests::random_receivers(tests::unless_sanitized(30, 5), 1, 25);
+    for (Receiver& receiver : receivers) receiver.position = tests::placed(to_world, receiver.position);
+    int blocked_count = 0, asked_with_survey = 0;
+    for (std::uint64_t i = 0; i < receivers.size(); ++i) {
+      asked_count = 0;
+      const OcclusionMask blocked = ao.blocked(receivers[i], i);
+      asked_with_survey += asked_count;
+      ASSERT_EQ(blocked, definition.blocked(receivers[i], i)) << size << ": " << i;
+      blocked_count += blocked.count();
+    }
+    EXPECT_GT(blocked_count, 100) << size;
+    EXPECT_LT(asked_with_survey, blocked_count / 10) << size;
+  }
+}
+
 TEST_P(CutOutTriangles, LetTheirFilterThrow) {
   const Mesh mesh = tests::closed_box();
   const auto blocks = [](std::uint32_t, std::uint32_t, float, float) -> bool { throw std::length_error("no texture"); };
@@ -197,6 +247,13 @@ TEST(CutOuts, OfWrongNumberOrRangeAreRefused) {
   std::vector<float> values(12, 0.5f);
   values[7] = 1.5f;
   EXPECT_THAT(built(values), ThrowsMessage<Wrong>(HasSubstr("cut_outs.opacities[7] must be from 0 to 1, not 1.5")));
+  EXPECT_THAT(
+      [&] {
+        OccluderBvh(mesh.view(), {.cut_outs = {.looks = {1, 2}}});
+      },
+      ThrowsMessage<Wrong>(HasSubstr("cut_outs.looks must be none or one for each of 12 triangles, not 2")));
+  EXPECT_THAT([&] { OccluderBvh(mesh.view(), {.cut_outs = {.survey = survey_fields}}); },
+              ThrowsMessage<Wrong>(HasSubstr("cut_outs.survey must be empty without cut_outs.blocks")));
   values[7] = std::nanf("");
   EXPECT_THAT(built(values), ThrowsMessage<Wrong>(HasSubstr("cut_outs.opacities[7]")));
 }
