@@ -8,6 +8,7 @@
 #include <glm/common.hpp>
 
 #include "lut/random.h"
+#include "scene/hole_survey.h"
 
 namespace lkao::scene {
 
@@ -29,21 +30,22 @@ struct Neighbours {
 };
 
 Neighbours neighbours(double t, int count, TextureWrap wrap) {
-  const double i = t * count - 0.5, first = std::floor(i);
+  const double i = t * count - 0.5;
+  if (i >= 0 && i < count - 1) {  // inside, as most places are, all ways of wrapping are the same
+    const int number = static_cast<int>(i);
+    return {number, number + 1, i - number};
+  }
+  const double first = std::floor(i);
   return {wrapped(first, count, wrap), wrapped(first + 1, count, wrap), i - first};
 }
 
-double texel(const AlphaImage& image, int x, int y) {
+std::uint16_t texel(const AlphaImage& image, int x, int y) {
   const std::size_t i =
       static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x);
-  return image.alphas[i] / 65535.0;
+  return image.alphas[i];
 }
 
-// Of values of the corners; where they are equal, exactly that.
-template <typename Value, typename Wide>
-Wide mix(const std::array<Value, 3>& corners, const glm::dvec2& place, const Wide& first) {
-  return first + place.x * (Wide(corners[1]) - first) + place.y * (Wide(corners[2]) - first);
-}
+double alpha_of(std::uint16_t texel) { return texel / 65535.0; }
 
 // From [0, 1).
 double lot_of(std::size_t triangle, const glm::vec2& place) {
@@ -58,12 +60,15 @@ double lot_of(std::size_t triangle, const glm::vec2& place) {
 double AlphaTexture::at(const glm::dvec2& uv) const {
   if (!std::isfinite(uv.x) || !std::isfinite(uv.y)) return 1;
   if (!is_smooth) {
-    return texel(*image, wrapped(std::floor(uv.x * image->width), image->width, wraps.u),
-                 wrapped(std::floor(uv.y * image->height), image->height, wraps.v));
+    return alpha_of(texel(*image, wrapped(std::floor(uv.x * image->width), image->width, wraps.u),
+                          wrapped(std::floor(uv.y * image->height), image->height, wraps.v)));
   }
   const Neighbours x = neighbours(uv.x, image->width, wraps.u), y = neighbours(uv.y, image->height, wraps.v);
-  const double upper = std::lerp(texel(*image, x.first, y.first), texel(*image, x.second, y.first), x.share);
-  const double lower = std::lerp(texel(*image, x.first, y.second), texel(*image, x.second, y.second), x.share);
+  const std::uint16_t a = texel(*image, x.first, y.first), b = texel(*image, x.second, y.first),
+                      c = texel(*image, x.first, y.second), d = texel(*image, x.second, y.second);
+  if (a == b && a == c && a == d) return alpha_of(a);
+  const double upper = std::lerp(alpha_of(a), alpha_of(b), x.share);
+  const double lower = std::lerp(alpha_of(c), alpha_of(d), x.share);
   return std::lerp(upper, lower, y.share);
 }
 
@@ -103,7 +108,7 @@ bool AlphaTexture::is_at_least(double alpha, const glm::dvec2& lower, const glm:
   for (double y = first.y; y <= last.y; ++y) {
     for (double x = first.x; x <= last.x; ++x) {
       const int column = wrapped(x, image->width, wraps.u), row = wrapped(y, image->height, wraps.v);
-      if (texel(*image, column, row) < alpha) return false;
+      if (alpha_of(texel(*image, column, row)) < alpha) return false;
     }
   }
   return true;
@@ -114,8 +119,8 @@ double Holes::alpha(std::size_t triangle, const glm::dvec2& place) const {
   if (number == kWhole) return 1;
   const HoleTriangle& holes = triangles[number];
   const HoleMaterial& material = materials[holes.material];
-  double alpha = material.factor * mix(holes.alphas, place, static_cast<double>(holes.alphas[0]));
-  if (material.texture) alpha *= material.texture->at(mix(holes.uvs, place, glm::dvec2(holes.uvs[0])));
+  double alpha = material.factor * mix_corners(holes.alphas, place, static_cast<double>(holes.alphas[0]));
+  if (material.texture) alpha *= material.texture->at(mix_corners(holes.uvs, place, glm::dvec2(holes.uvs[0])));
   return std::isnan(alpha) ? 1 : std::clamp(alpha, 0.0, 1.0);
 }
 
@@ -139,9 +144,11 @@ CutOuts cut_outs_of(std::shared_ptr<const Holes> holes) {
   CutOuts cut_outs;
   cut_outs.opacities.reserve(holes->numbers.size());
   for (const std::uint32_t number : holes->numbers) cut_outs.opacities.push_back(number == kWhole ? 1.0f : 0.0f);
-  cut_outs.blocks = [shared = std::move(holes)](std::uint32_t, std::uint32_t primitive, float u, float v) {
-    return shared->blocks(primitive, {u, v});
+  cut_outs.blocks = [holes](std::uint32_t, std::uint32_t primitive, float u, float v) {
+    return holes->blocks(primitive, {u, v});
   };
+  cut_outs.survey = HoleSurvey(holes);
+  cut_outs.looks = looks_of(*holes);
   return cut_outs;
 }
 

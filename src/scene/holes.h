@@ -64,6 +64,13 @@ struct HoleTriangle {
   void turn_round();
 };
 
+// At a place of a triangle with such values at its corners, of which `first` is that of the first; where they are
+// equal, exactly that.
+template <typename Value, typename Wide>
+Wide mix_corners(const std::array<Value, 3>& corners, const glm::dvec2& place, const Wide& first) {
+  return first + place.x * (Wide(corners[1]) - first) + place.y * (Wide(corners[2]) - first);
+}
+
 inline constexpr std::uint32_t kWhole = 0xffffffffu;
 
 // Of all triangles of a mesh. Points are (1 - u - v) a + u b + v c of a triangle's corners.
