@@ -20,6 +20,8 @@ Command add_rays_command(CLI::App& program);
 Command add_spread_command(CLI::App& program);
 // Soft shadows against Embree.
 Command add_shadows_command(CLI::App& program);
+// Cards with leaves on them against Embree.
+Command add_foliage_command(CLI::App& program);
 // Builds against Embree.
 Command add_build_command(CLI::App& program);
 // Scenes of instances against Embree's.

@@ -14,8 +14,8 @@ namespace {
 
 std::vector<Command> add_commands(CLI::App& program) {
   return {
-    add_rays_command(program), add_spread_command(program), add_shadows_command(program), add_build_command(program),
-        add_instances_command(program), add_refit_command(program),
+    add_rays_command(program), add_spread_command(program), add_shadows_command(program), add_foliage_command(program),
+        add_build_command(program), add_instances_command(program), add_refit_command(program),
 #if LKAO_BENCH_GL
         add_raster_command(program), add_volumes_command(program), add_splats_command(program),
         add_screen_command(program),
