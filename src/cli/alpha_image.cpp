@@ -9,12 +9,14 @@
 
 namespace lkao::cli {
 
-scene::AlphaImage decode_alpha(const std::string& name, std::string_view bytes) {
+scene::AlphaImage decode_alpha(const std::string& name, std::string_view bytes, scene::AlphaOf what) {
   constexpr double kOpaque = 65535;
   const image::Image image = image::decode_image(name, bytes);
   scene::AlphaImage result{.width = image.width, .height = image.height, .alphas = {}};
   const auto size = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
-  const int channel = image.channel("A");
+  // Red is as bright as the others where an image is grey.
+  int channel = image.channel("A");
+  if (channel < 0 && what == scene::AlphaOf::alpha_or_grey) channel = 0;
   if (channel < 0) {
     result.alphas.assign(size, static_cast<std::uint16_t>(kOpaque));
     return result;

@@ -9,6 +9,6 @@
 namespace lkao::cli {
 
 // As scene::DecodeAlpha.
-scene::AlphaImage decode_alpha(const std::string& name, std::string_view bytes);
+scene::AlphaImage decode_alpha(const std::string& name, std::string_view bytes, scene::AlphaOf what);
 
 }  // namespace lkao::cli

@@ -48,7 +48,7 @@ void add_scene_options(CLI::App& app, SceneOptions& options, const std::string& 
   app.add_flag("--opaque", options.opaque,
                "Take triangles with holes as whole. Otherwise a glTF's alphaMode MASK is obeyed: rays and cameras pass "
                "where alpha is below alphaCutoff. Of BLEND each ray is blocked with the probability alpha, and cameras "
-               "see what is 0.5 or more");
+               "see what is 0.5 or more; so of d, Tr and map_d of an OBJ's materials");
   app.add_flag("--ground", options.ground,
                fmt::format("Put a ground under the scene, square to --up, as wide as the radius needs ({:g} diagonals "
                            "of the scene's box around it where that is inf): it blocks, and {}",

@@ -29,9 +29,13 @@ struct AlphaImage {
   std::size_t size() const { return alphas.size(); }
 };
 
-// Makes it of the bytes of an image file, PNG, JPEG or WebP; `name` is for messages. An image without alpha is opaque.
-// Throws std::runtime_error with one line where that cannot be done.
-using DecodeAlpha = std::function<AlphaImage(const std::string& name, std::string_view bytes)>;
+// What is taken from an image: its alpha, of which one without is opaque everywhere; or, of one without, how bright it
+// is, as in images that show nothing but opacity.
+enum class AlphaOf { alpha, alpha_or_grey };
+
+// Makes it of the bytes of an image file, PNG, JPEG or WebP; `name` is for messages. Throws std::runtime_error with one
+// line where that cannot be done.
+using DecodeAlpha = std::function<AlphaImage(const std::string& name, std::string_view bytes, AlphaOf what)>;
 
 // An image as a material shows it.
 struct AlphaTexture {

@@ -62,8 +62,8 @@ FileMesh read_by_extension(const std::string& path, const ReadOptions& options) 
   if (extension == "off") return read_off(bytes, uv_set);
   if (extension == "stl") return read_stl(bytes);
   if (extension == "obj") {
-    return read_obj(
-        bytes, [&](const std::string& name) { return read_beside(path, name); }, uv_set, options.objects);
+    return read_obj(bytes, [&](const std::string& name) { return read_beside(path, name); },
+                    {uv_set, options.objects, options.decode_alpha});
   }
   if (extension == "gltf" || extension == "glb") {
     return read_gltf(path, bytes, {uv_set, options.objects, options.decode_alpha});

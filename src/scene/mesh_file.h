@@ -23,7 +23,9 @@ struct ReadOptions {
   // Reads which triangles are one object (Mesh::objects): what a node of a glTF shows, each of its instances by itself;
   // what an OBJ has under one name of "o", or where it has none of those of "g". Other formats name no objects.
   bool objects = false;
-  // Reads images for holes by transparency (Mesh::holes), of glTF alone: alphaMode MASK is exact, BLEND by chance.
+  // Reads images for holes by transparency (Mesh::holes). Of glTF: alphaMode MASK is exact, BLEND by chance. Of OBJ, by
+  // chance: what "d" or "Tr" says, times the alpha of the image of "map_d", or how bright it is where it has none, so
+  // that an image of black and white alone is exact; of its options "-clamp" is obeyed. Other formats know none.
   // Without it triangles of such materials are whole, and a remark says so. An image that cannot be read counts as
   // opaque, so that the alpha of factor and colours is left, and is a remark as well.
   DecodeAlpha decode_alpha = {};

@@ -25,7 +25,7 @@ bool are_known(const std::vector<glm::uvec3>& triangles, std::size_t count, std:
 }
 
 // Two texels of whatever the bytes of the image begin with.
-scene::AlphaImage decode_alpha(const std::string&, std::string_view bytes) {
+scene::AlphaImage decode_alpha(const std::string&, std::string_view bytes, scene::AlphaOf) {
   if (bytes.size() < 4) throw std::runtime_error("an image of a few bytes");
   scene::AlphaImage image{.width = 2, .height = 1, .alphas = {}};
   for (const char c : bytes.substr(0, 2))

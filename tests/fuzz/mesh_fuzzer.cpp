@@ -1,6 +1,7 @@
 // The fuzz target of the text formats: whatever the bytes, a reader returns a mesh or says what is wrong, within memory
 // that is bounded by the size of the file. The first byte chooses the format.
 #include <algorithm>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <stdexcept>
@@ -17,12 +18,18 @@ namespace {
 
 using scene::FileMesh;
 
+// One texel.
+scene::AlphaImage decode_alpha(const std::string&, std::string_view bytes, scene::AlphaOf) {
+  if (bytes.empty()) throw std::runtime_error("an image of no bytes");
+  return {.width = 1, .height = 1, .alphas = {static_cast<std::uint16_t>(257 * static_cast<unsigned char>(bytes[0]))}};
+}
+
 FileMesh read(std::uint8_t format, std::string_view bytes) {
   switch (format % 4) {
     case 0:
-      // The file is its own material library too.
-      return scene::read_obj(
-          bytes, [&](const std::string&) { return std::string(bytes); }, 0);
+      // The file is its own material library too, and its own image.
+      return scene::read_obj(bytes, [&](const std::string&) { return std::string(bytes); },
+                             {.uv_set = 0, .objects = true, .decode_alpha = decode_alpha});
     case 1:
       return scene::read_stl(bytes);
     case 2:

@@ -21,7 +21,7 @@ inline std::string alpha_file(int width, int height, const std::string& alphas) 
   return std::string{static_cast<char>(width), static_cast<char>(height)} + alphas;
 }
 
-inline AlphaImage decode_alpha_file(const std::string& name, std::string_view bytes) {
+inline AlphaImage decode_alpha_file(const std::string& name, std::string_view bytes, AlphaOf = AlphaOf::alpha) {
   if (bytes.size() < 2) throw std::runtime_error("cannot read '" + name + "': it is short");
   AlphaImage image{.width = bytes[0], .height = bytes[1], .alphas = {}};
   bytes.remove_prefix(2);

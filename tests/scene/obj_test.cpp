@@ -1,6 +1,7 @@
 // OBJ as programs write it.
 #include <gtest/gtest.h>
 
+#include "alpha_files.h"
 #include "scene/defects.h"
 #include "scene/files.h"
 
@@ -142,6 +143,64 @@ TEST_F(Obj, HolesByTransparencyAreSaid) {
       contents.remarks,
       (std::vector<std::string>{"material \"leaves\" has holes by transparency: its 3 triangles block as if whole",
                                 "material \"pane 1#2\" has holes by transparency: its 1 triangles block as if whole"}));
+}
+
+// A quad, cut in two, with a mask that leaves its left half; what has no holes; and a pane.
+TEST_F(Obj, HolesAreReadWhereTheyAreAskedFor) {
+  folder_.write("the mask.img", alpha_file(2, 1, {'\xff', '\0'}));
+  folder_.write("a.mtl",
+                "newmtl leaf\nmap_d -s 1 1 1 -mm 0 1 -clamp on -imfchan m the mask.img\nnewmtl bark\nd 1\n"
+                "newmtl pane\nTr 0.75\nmap_d the mask.img\n");
+  const std::string text = "mtllib a.mtl\n" + kPoints + "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nusemtl bark\nf 1 2 3\n" +
+                           "usemtl leaf\nf 1/1 2/2 3/3 4/4\nusemtl pane\nf 1/1 2/9 3\n";
+  const MeshFile file =
+      open_mesh_file(folder_.write("a.obj", text), {.decode_alpha = [](auto name, auto bytes, AlphaOf what) {
+                       EXPECT_EQ(what, AlphaOf::alpha_or_grey);
+                       return decode_alpha_file(name, bytes);
+                     }});
+  ASSERT_NE(file.mesh.holes, nullptr);
+  const Holes& holes = *file.mesh.holes;
+  EXPECT_EQ(holes.numbers, (std::vector<std::uint32_t>{kWhole, 0, 1, 2}));
+  EXPECT_TRUE(file.mesh.uvs.empty());
+  EXPECT_TRUE(file.mesh.materials.empty());
+  for (const std::size_t triangle : {1, 2}) {
+    const glm::uvec3& corners = file.mesh.triangles[triangle];
+    for (int i = 0; i < 60; ++i) {
+      const glm::dvec2 place(0.1 + 0.1 * (i % 8), 0.1 * (i / 8));  // NOLINT(bugprone-integer-division)
+      if (place.x + place.y >= 1) continue;
+      const double x = (1 - place.x - place.y) * double{file.mesh.positions[corners.x].x} +
+                       place.x * double{file.mesh.positions[corners.y].x} +
+                       place.y * double{file.mesh.positions[corners.z].x};
+      if (x > 0.24 && x < 0.76) continue;
+      EXPECT_EQ(holes.blocks(triangle, glm::vec2(place)), x < 0.5) << x;
+    }
+  }
+  // Corners without texture coordinates are at 0, the image's corner, which is smooth across its borders here.
+  EXPECT_NEAR(holes.alpha(3, {0.3, 0.3}), 0.25 * 0.5, 1e-6);
+  EXPECT_EQ(holes.materials[0].texture->wraps, (TextureWraps{TextureWrap::clamp, TextureWrap::clamp}));
+  EXPECT_EQ(file.contents.cut_out_count, 3u);
+  ASSERT_EQ(file.contents.remarks.size(), 2u);
+  EXPECT_EQ(
+      file.contents.remarks[0],
+      "material \"leaf\" is half-transparent: its 2 triangles block each ray with the probability of their alpha");
+  EXPECT_EQ(open(text).mesh.holes, nullptr);
+}
+
+TEST_F(Obj, ImagesOfHolesThatCannotBeReadAreSaid) {
+  folder_.write("short.img", "x");
+  folder_.write("a.mtl", "newmtl a\nmap_d no.img\nnewmtl b\nmap_d short.img\nd 0.5\nnewmtl c\nmap_d no.img\n");
+  const MeshFile file =
+      open_mesh_file(folder_.write("a.obj", "mtllib a.mtl\n" + kPoints + "usemtl a\nf 1 2 3\nusemtl b\nf 1 2 3\n"),
+                     {.decode_alpha = decode_alpha_file});
+  EXPECT_EQ(
+      file.contents.remarks,
+      (std::vector<std::string>{
+          "cannot read 'no.img': there is no such file: it counts as opaque, in material \"a\"",
+          "cannot read 'short.img': it is short: it counts as opaque, in material \"b\"",
+          "material \"b\" is half-transparent: its 1 triangles block each ray with the probability of their alpha"}));
+  ASSERT_NE(file.mesh.holes, nullptr);
+  EXPECT_EQ(file.mesh.holes->numbers, (std::vector<std::uint32_t>{kWhole, 0}));
+  EXPECT_EQ(file.mesh.holes->alpha(1, {0.5, 0.2}), 0.5);
 }
 
 TEST_F(Obj, ObjectsAreWhatStandsUnderOneName) {

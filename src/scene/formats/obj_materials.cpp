@@ -1,5 +1,6 @@
 #include "scene/formats/obj_materials.h"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "scene/formats/obj_words.h"
@@ -15,37 +16,73 @@ double take_opacity(ObjWords& words, bool is_turned) {
     try {
       std::string_view word = words.take_word();
       if (word == "-halo") word = words.take_word();
-      return is_turned ? 1 - parse_number(word) : parse_number(word);
+      const double opacity = is_turned ? 1 - parse_number(word) : parse_number(word);
+      return opacity >= 0 && opacity <= 1 ? opacity : 1;
     } catch (const std::runtime_error&) {
     }
   }
   return 1;
 }
 
+bool is_number(std::string_view word) {
+  try {
+    parse_number(word);
+    return true;
+  } catch (const std::runtime_error&) {
+    return false;
+  }
+}
+
+// How many words belong to an option of a map, at most; those of vectors may be fewer.
+int most_words_of(std::string_view option) {
+  if (option == "-o" || option == "-s" || option == "-t") return 3;
+  return option == "-mm" ? 2 : 1;
+}
+
+// Options come first, and the name is what is left: it may have blanks.
+void take_map(ObjWords& words, ObjMaterial& material) {
+  std::string_view rest = words.take_rest();
+  while (rest.starts_with('-')) {
+    ObjWords option(rest);
+    const std::string_view name = option.take_word();
+    std::string_view behind = option.take_rest();
+    for (int i = 0; i < most_words_of(name); ++i) {
+      ObjWords value(behind);
+      const std::string_view word = value.take_word();
+      if (i > 0 && !is_number(word)) break;
+      if (name == "-clamp") material.clamps = word == "on";
+      behind = value.take_rest();
+    }
+    rest = behind;
+  }
+  material.map = rest;
+}
+
 }  // namespace
 
-std::vector<std::string> see_through_materials(std::string_view text) {
+std::vector<ObjMaterial> see_through_materials(std::string_view text) {
   if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
-  std::vector<std::string> names;
-  std::string_view material;
-  const auto add = [&] {
-    if (!material.empty() && (names.empty() || names.back() != material)) names.emplace_back(material);
-  };
+  std::vector<ObjMaterial> materials;
   for (ObjWords words(text); !words.is_at_end(); words.skip_line()) {
     const std::string_view keyword = words.take_word();
     if (keyword == "newmtl") {
-      material = words.take_rest();
+      materials.push_back({std::string(words.take_rest())});
+    } else if (materials.empty()) {
+      continue;
     } else if (keyword == "map_d" || keyword == "map_D" || keyword == "map_Tr") {
-      if (words.has_word()) add();
+      take_map(words, materials.back());
     } else if (keyword == "d") {
-      if (take_opacity(words, false) < 1) add();
+      materials.back().opacity = take_opacity(words, false);
     } else if (keyword == "Tr") {
       // Programs do not agree whether "Tr 1" is opaque.
       const double opacity = take_opacity(words, true);
-      if (opacity > 0 && opacity < 1) add();
+      if (opacity > 0 && opacity < 1) materials.back().opacity = opacity;
     }
   }
-  return names;
+  std::erase_if(materials, [](const ObjMaterial& material) {
+    return material.name.empty() || (material.opacity == 1 && material.map.empty());
+  });
+  return materials;
 }
 
 }  // namespace lkao::scene

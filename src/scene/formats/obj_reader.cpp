@@ -14,7 +14,7 @@
 
 #include <fmt/format.h>
 
-#include "scene/formats/cut_outs.h"
+#include "scene/formats/obj_holes.h"
 #include "scene/formats/obj_materials.h"
 #include "scene/formats/obj_words.h"
 #include "scene/formats/readers.h"
@@ -88,7 +88,7 @@ class ObjReader {
   // Largest number of a vertex that a face has, counted from 1: faces may stand in front of their vertices.
   std::size_t largest_number() const { return largest_number_; }
 
-  void find_cut_outs(const ReadBeside& read_beside);
+  void find_holes(const ReadBeside& read_beside, ObjHoles& holes);
 
   FileMesh& mesh() { return mesh_; }
 
@@ -246,17 +246,16 @@ class ObjReader {
 };
 
 // A library may be several files, or one with blanks in its name. A missing one is no fault: AO needs no materials.
-void ObjReader::find_cut_outs(const ReadBeside& read_beside) {
+void ObjReader::find_holes(const ReadBeside& read_beside, ObjHoles& holes) {
   std::unordered_set<std::string> done;
-  std::vector<CutOut> cut_outs;
   const auto read_library = [&](std::string_view name) {
     if (!done.emplace(name).second) return true;
     const std::optional<std::string> text = read_beside(std::string(name));
     if (!text) return false;
-    for (std::string& material : see_through_materials(*text)) {
-      const auto used = materials_.find(material);
+    for (const ObjMaterial& material : see_through_materials(*text)) {
+      const auto used = materials_.find(material.name);
       if (used == materials_.end()) continue;
-      cut_outs.push_back({std::move(material), used->second.triangle_count});
+      holes.add(material, used->second.number, used->second.triangle_count);
       used->second.triangle_count = 0;
     }
     return true;
@@ -265,24 +264,31 @@ void ObjReader::find_cut_outs(const ReadBeside& read_beside) {
     if (read_library(library)) continue;
     for (ObjWords names(library); names.has_word();) read_library(names.take_word());
   }
-  add_cut_outs(std::move(cut_outs), mesh_.contents);
 }
 
 }  // namespace
 
-FileMesh read_obj(std::string_view bytes, const ReadBeside& read_beside, std::optional<int> uv_set,
-                  bool wants_objects) {
+FileMesh read_obj(std::string_view bytes, const ReadBeside& read_beside, const MeshWishes& wishes) {
   const std::string_view text = without_byte_order_mark(bytes);
   if (text.find('\0') != text.npos) throw std::runtime_error("malformed OBJ: it is not text");
   // The file has more bytes than vertices, and numbers of vertices must fit 32 bits.
-  ObjReader reader(text, std::min<std::size_t>(text.size(), std::numeric_limits<std::uint32_t>::max()), uv_set,
-                   wants_objects);
+  ObjReader reader(text, std::min<std::size_t>(text.size(), std::numeric_limits<std::uint32_t>::max()), wishes.uv_set,
+                   wishes.objects);
   reader.read();
   // Only a second look finds the line of a number that no vertex further down has.
   const std::size_t vertex_count = reader.mesh().positions.size();
-  if (reader.largest_number() > vertex_count) ObjReader(text, vertex_count, uv_set, wants_objects).read();
-  reader.find_cut_outs(read_beside);
-  return std::move(reader.mesh());
+  if (reader.largest_number() > vertex_count) ObjReader(text, vertex_count, wishes.uv_set, wishes.objects).read();
+  ObjHoles holes(read_beside, wishes.decode_alpha);
+  reader.find_holes(read_beside, holes);
+  FileMesh mesh = std::move(reader.mesh());
+  holes.describe(mesh.contents);
+  if (!holes.has_any()) return mesh;
+  // Few files have holes: of these, a second look takes what they need.
+  ObjReader looks(text, vertex_count, 0, false);
+  looks.read();
+  cut_polygons(looks.mesh());
+  mesh.holes = holes.of(looks.mesh());
+  return mesh;
 }
 
 }  // namespace lkao::scene

@@ -26,22 +26,21 @@ FileMesh read_off(std::string_view bytes, std::optional<int> uv_set = {});
 // What is in the file of that name beside the one that is read; nothing where there is no such file.
 using ReadBeside = std::function<std::optional<std::string>(const std::string& name)>;
 
-// OBJ: faces; lines, points and free-form surfaces are left out. Material files are looked at for holes by transparency
-// alone. `wants_objects`: as of ReadOptions::objects.
-FileMesh read_obj(std::string_view bytes, const ReadBeside& read_beside, std::optional<int> uv_set = {},
-                  bool wants_objects = false);
-
-// STL: text and binary. Corners at equal positions are joined; normals and colours are not read.
-FileMesh read_stl(std::string_view bytes);
-
-struct GltfWishes {
+struct MeshWishes {
   std::optional<int> uv_set = {};
   bool objects = false;           // as of ReadOptions
   DecodeAlpha decode_alpha = {};  // for holes by transparency
 };
 
+// OBJ: faces; lines, points and free-form surfaces are left out. Material files are looked at for holes by transparency
+// alone.
+FileMesh read_obj(std::string_view bytes, const ReadBeside& read_beside, const MeshWishes& wishes = {});
+
+// STL: text and binary. Corners at equal positions are joined; normals and colours are not read.
+FileMesh read_stl(std::string_view bytes);
+
 // glTF 2.0 and GLB, whatever the file's name ends in. Buffers in files of their own are found beside `path`. What is
 // shown or used many times takes its memory as often.
-FileMesh read_gltf(const std::string& path, std::string_view bytes, const GltfWishes& wishes = {});
+FileMesh read_gltf(const std::string& path, std::string_view bytes, const MeshWishes& wishes = {});
 
 }  // namespace lkao::scene

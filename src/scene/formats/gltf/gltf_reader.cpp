@@ -16,7 +16,7 @@
 
 namespace lkao::scene {
 
-FileMesh read_gltf(const std::string& path, std::string_view bytes, const GltfWishes& wishes) {
+FileMesh read_gltf(const std::string& path, std::string_view bytes, const MeshWishes& wishes) {
   try {
     const gltf::Container container = gltf::open_container(bytes);
     const nlohmann::json document = gltf::parse(container.json);

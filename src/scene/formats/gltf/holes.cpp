@@ -157,7 +157,7 @@ std::shared_ptr<const AlphaImage> HoleReader::decode(const Value& image, const s
   const std::optional<Value> uri = image.find("uri");
   const std::string name = uri && !is_data_uri(uri->text()) ? printable(uri->text()) : image.place();
   try {
-    auto decoded = std::make_shared<AlphaImage>(decode_(name, bytes_of(image, name)));
+    auto decoded = std::make_shared<AlphaImage>(decode_(name, bytes_of(image, name), AlphaOf::alpha));
     if (decoded->size() > 0) {
       decoded->least = *std::min_element(decoded->alphas.begin(), decoded->alphas.end());
       return decoded;
