@@ -53,28 +53,26 @@ float longest(const ReceiverRays& rays) {
   return std::sqrt(longest2);
 }
 
-// How far off corners are, by axis: their own displacement, that of the origin, and what the definition grants.
-glm::vec3 uncertainty(const PlacedRays& placed) {
-  const Query& world = placed.world;
-  const Placement& placement = *world.placement;
+}  // namespace
+
+glm::vec3 uncertainty(const Placement& placement, const glm::vec3& origin, float radius, const glm::vec3& placed_origin,
+                      float placed_radius) {
   glm::vec3 result;
   for (int axis = 0; axis < 3; ++axis) {
     double sum = 0;
     for (int row = 0; row < 3; ++row) {
       const double farthest = std::max(std::fabs(double{placement.box.lower[row]}),  //
                                        std::fabs(double{placement.box.upper[row]}));
-      const double size = std::fabs(double{world.rays.origin[row]}) + std::fabs(double{placement.to_world[3][row]}) +
-                          farthest + double{world.radius};
+      const double size =
+          std::fabs(double{origin[row]}) + std::fabs(double{placement.to_world[3][row]}) + farthest + double{radius};
       sum += std::fabs(placement.to_mesh[row][axis]) * size;
     }
-    const double rounding = 0x1p-24 * (std::fabs(double{placed.rays.origin[axis]}) + double{placed.rays.radius});
+    const double rounding = 0x1p-24 * (std::fabs(double{placed_origin[axis]}) + double{placed_radius});
     result[axis] =
         placement.displacement[axis] + std::nextafter(static_cast<float>(rounding + 0x1p-45 * sum), kInfinity);
   }
   return result;
 }
-
-}  // namespace
 
 bool place_rays(PlacedRays& placed) {
   const Query& world = placed.world;
@@ -92,7 +90,7 @@ bool place_rays(PlacedRays& placed) {
   rays.radius = 1.125f * longest(rays);
   if (!(rays.radius < 1e18f && rays.radius > 1e-18f) || !(glm::length(rays.origin) < 1e18f)) return false;
   if (world.parts != nullptr) pick_parts(placed);
-  const glm::vec3 off = uncertainty(placed);
+  const glm::vec3 off = uncertainty(placement, world.rays.origin, world.radius, rays.origin, rays.radius);
   placed.displacement = 1.0001f * glm::length(off);
   placed.face_origins[0] = rays.origin + 1.0001f * off;
   placed.face_origins[1] = rays.origin - 1.0001f * off;

@@ -10,6 +10,11 @@ namespace lkao::bvh {
 // matter for floats, since its transform is too flat or the numbers are too large or small.
 bool place_rays(PlacedRays& placed);
 
+// How far off corners are, by axis, for rays in the space of a mesh: their own displacement, that of the origin, and
+// what the definition grants. The origin and the longest ray in the world and in the mesh's space, or what is larger.
+glm::vec3 uncertainty(const Placement& placement, const glm::vec3& origin, float radius, const glm::vec3& placed_origin,
+                      float placed_radius);
+
 // What they ask of the mesh's hierarchy. Must not outlive them.
 Query query_of(const PlacedRays& placed);
 

@@ -104,19 +104,10 @@ class SceneTraversal {
     if (!may_block(scene_, query_, instance)) return;
     OcclusionMask open;
     std::memcpy(open.words, rays.masks, sizeof(std::uint16_t) * static_cast<std::size_t>(rays_.chunk_count));
-    const OcclusionMask closed = blocked_by(instance, open);
+    const OcclusionMask closed = trace_instance(scene_, query_, instance, open);
     for (int chunk = 0; chunk < rays_.chunk_count; ++chunk) {
       rays_.open[chunk] &= static_cast<std::uint16_t>(~(closed.words[chunk / 4] >> (chunk % 4 * kLaneCount)));
     }
-  }
-
-  HWY_NOINLINE OcclusionMask blocked_by(std::uint32_t instance, const OcclusionMask& open) const {
-    const Query query = query_of_instance(scene_, query_, instance, open);
-    const Layout& mesh = scene_.mesh_of(scene_.placements[instance]);
-    PlacedRays placed(query);
-    // Where the transform takes them out of the range of floats, the definition is asked at once.
-    if (!place_rays(placed)) return trace_scalar(mesh, query);
-    return in_world(placed, bvh::trace_simd(mesh, query_of(placed), cones_of_any_rays()));
   }
 
   const SceneLayout& scene_;
@@ -144,6 +135,16 @@ HWY_AFTER_NAMESPACE();
 namespace lkao::bvh {
 
 HWY_EXPORT(trace_simd);
+
+OcclusionMask trace_instance(const SceneLayout& scene, const Query& scene_query, std::uint32_t instance,
+                             const OcclusionMask& open) {
+  const Query query = query_of_instance(scene, scene_query, instance, open);
+  const Layout& mesh = scene.mesh_of(scene.placements[instance]);
+  PlacedRays placed(query);
+  // Where the transform takes them out of the range of floats, the definition is asked at once.
+  if (!place_rays(placed)) return trace_scalar(mesh, query);
+  return in_world(placed, trace_simd(mesh, query_of(placed), cones_of_any_rays()));
+}
 
 OcclusionMask trace_simd(const SceneLayout& scene, const Query& query) {
   return LKAO_DISPATCH(trace_simd)(scene, query);

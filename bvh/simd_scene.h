@@ -1,6 +1,8 @@
 // The vector kernel on a scene of many instances.
 #pragma once
 
+#include <cstdint>
+
 #include "bvh/query.h"
 #include "bvh/scene_layout.h"
 
@@ -10,5 +12,9 @@ namespace lkao::bvh {
 // over the instances with all rays, then, for each instance that some of them may meet, through its mesh's hierarchy
 // with those. Allocates nothing; any thread.
 OcclusionMask trace_simd(const SceneLayout& scene, const Query& query);
+
+// Which of the rays `open` of the query one instance blocks, whatever its groups.
+OcclusionMask trace_instance(const SceneLayout& scene, const Query& query, std::uint32_t instance,
+                             const OcclusionMask& open);
 
 }  // namespace lkao::bvh

@@ -7,6 +7,8 @@
 #endif
 
 #include <algorithm>
+#include <bit>
+#include <cstdint>
 #include <limits>
 
 #include <hwy/highway.h>
@@ -19,11 +21,31 @@
 HWY_BEFORE_NAMESPACE();
 namespace lkao::bvh::HWY_NAMESPACE {
 
+// Of one ray: the slab test of may_meet for as many children as a vector holds, from `first` on, with the face that the
+// ray meets first found by its sign. `origin(face, axis)`: Query::face_origins. From `enter` to `leave`, as shares.
+template <class Origin>
+HWY_INLINE hn::Mask<BoxTag> children_met(const Node& node, int first, const float (&inverse)[3], const Origin& origin,
+                                         hn::Vec<BoxTag> enter, hn::Vec<BoxTag> leave) {
+  const BoxTag tag;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto by = hn::Set(tag, inverse[axis]);
+    const std::uint32_t down = std::bit_cast<std::uint32_t>(inverse[axis]) >> 31;
+    const auto at = [&](std::uint32_t face) HWY_ATTR {
+      const auto from = hn::Set(tag, origin(face, axis));
+      return hn::Mul(hn::Sub(hn::Load(tag, node.faces[face][axis] + first), from), by);
+    };
+    enter = hn::Max(enter, at(down));
+    leave = hn::Min(leave, at(1 - down));
+  }
+  return hn::Le(enter, hn::Mul(leave, hn::Set(tag, 1.0f + kBoxSlack)));
+}
+
 // The boxes of a node's children, relative to the origin of the rays: centers and half sizes. Where the origin is only
 // known to be somewhere, they are larger by as much.
 template <class Parts>
 class RelativeBoxes {
  public:
+  RelativeBoxes() = default;  // to be assigned to
   // Of the children, only those where the query's rays count, above the horizon, are of use: see reached().
   HWY_INLINE RelativeBoxes(const Node& node, const Query& query) {
     const BoxTag tag;
@@ -128,7 +150,8 @@ class RelativeBoxes {
   }
 
   // Of the 16 rays of a chunk, those that may meet a child's box within their length. As may_meet.
-  HWY_INLINE std::uint32_t rays_meeting(int child, const RaySet& rays, const Parts& parts, int chunk) const {
+  template <class Rays>
+  HWY_INLINE std::uint32_t rays_meeting(int child, const Rays& rays, const Parts& parts, int chunk) const {
     const RayTag tag;
     std::uint32_t missed = 0;
     for (int i = 0; i < kLaneCount; i += lane_count(tag)) {
@@ -147,6 +170,24 @@ class RelativeBoxes {
       missed |= bits_of(tag, hn::Gt(enter, leave)) << i;
     }
     return ~missed;
+  }
+
+  // Where the 16 rays of a chunk enter and leave a child's box, as shares of them: no later, and no sooner.
+  template <class Rays>
+  HWY_INLINE void find_range(int child, const Rays& rays, int chunk, float* enter, float* leave) const {
+    const RayTag tag;
+    for (int i = 0; i < kLaneCount; i += lane_count(tag)) {
+      const float* const inverse[] = {rays.inverse_x, rays.inverse_y, rays.inverse_z};
+      auto first = hn::Zero(tag), last = hn::Set(tag, 1.0f);
+      for (int axis = 0; axis < 3; ++axis) {
+        const auto by = hn::Load(tag, inverse[axis] + chunk * kLaneCount + i);
+        const auto to = hn::Mul(hn::Set(tag, center_[axis][child]), by), size = hn::Set(tag, half_size_[axis][child]);
+        first = hn::Max(first, hn::NegMulAdd(size, hn::Abs(by), to));
+        last = hn::Min(last, hn::MulAdd(size, hn::Abs(by), to));
+      }
+      hn::Store(first, tag, enter + i);
+      hn::Store(last, tag, leave + i);
+    }
   }
 
  private:

@@ -102,11 +102,21 @@ class LeafFrames {
   using Floats = hn::Vec<Tag>;
   static constexpr std::uint32_t kAllTriangles = (1u << (kCount * kLeafWidth)) - 1;
 
-  HWY_INLINE LeafFrames(const LeafReceiver& receiver, const Leaf* const (&leaves)[kCount]) : leaves_(leaves) {
+  HWY_INLINE LeafFrames(const LeafReceiver& receiver, const Leaf* const (&leaves)[kCount])
+      : LeafFrames(receiver, leaves, [&](int axis) HWY_ATTR { return hn::Set(Tag(), receiver.origin[axis]); }) {}
+
+  // The same with an origin for each leaf.
+  HWY_INLINE LeafFrames(const LeafReceiver& receiver, const Leaf* const (&leaves)[kCount],
+                        const float* const (&origins)[kCount])
+      : LeafFrames(receiver, leaves, [&](int axis) HWY_ATTR { return spread_components(origins, axis); }) {}
+
+  template <class OriginOf>
+  HWY_INLINE LeafFrames(const LeafReceiver& receiver, const Leaf* const (&leaves)[kCount], const OriginOf& origin)
+      : leaves_(leaves) {
     const Tag tag;
-    const auto px = hn::Sub(hn::Set(tag, receiver.origin.x), load([](const Leaf&leaf) { return leaf.vertex[0]; })),
-               py = hn::Sub(hn::Set(tag, receiver.origin.y), load([](const Leaf&leaf) { return leaf.vertex[1]; })),
-               pz = hn::Sub(hn::Set(tag, receiver.origin.z), load([](const Leaf&leaf) { return leaf.vertex[2]; }));
+    const auto px = hn::Sub(origin(0), load([](const Leaf&leaf) { return leaf.vertex[0]; })),
+               py = hn::Sub(origin(1), load([](const Leaf&leaf) { return leaf.vertex[1]; })),
+               pz = hn::Sub(origin(2), load([](const Leaf&leaf) { return leaf.vertex[2]; }));
     u_ = dot(kUGradient, px, py, pz);
     v_ = dot(kVGradient, px, py, pz);
     const auto behind = dot(kBackNormal, px, py, pz);
@@ -166,8 +176,19 @@ class LeafFrames {
   // Triangles that block the ray of their leaf.
   template <class Parts>
   HWY_INLINE Verdict blocked(const RaySet& rays, const Parts& parts, const std::uint32_t (&numbers)[kCount]) const {
-    const Tag tag;
     const auto rx = spread(rays.x, numbers), ry = spread(rays.y, numbers), rz = spread(rays.z, numbers);
+    return blocked(rx, ry, rz, parts, numbers);
+  }
+
+  // The same for whole rays, given by their components.
+  HWY_INLINE Verdict blocked(const float* const (&rays)[kCount]) const {
+    return blocked(spread_components(rays, 0), spread_components(rays, 1), spread_components(rays, 2), WholeRays(), {});
+  }
+
+  template <class Parts>
+  HWY_INLINE Verdict blocked(Floats rx, Floats ry, Floats rz, const Parts& parts,
+                             const std::uint32_t (&numbers)[kCount]) const {
+    const Tag tag;
     const auto towards = hn::Xor(dot(kBackNormal, rx, ry, rz), turn_);
     const auto u = hn::MulAdd(u_, towards, hn::Mul(distance_, dot(kUGradient, rx, ry, rz)));
     const auto v = hn::MulAdd(v_, towards, hn::Mul(distance_, dot(kVGradient, rx, ry, rz)));
@@ -258,6 +279,15 @@ class LeafFrames {
   using Rows = float (Leaf::*)[3][kLeafWidth];
   static constexpr Rows kUGradient = &Leaf::u_gradient, kVGradient = &Leaf::v_gradient,
                         kBackNormal = &Leaf::back_normal;
+
+  static HWY_INLINE Floats spread_components(const float* const (&of)[kCount], int axis) {
+    const LeafTag<1> one;
+    if constexpr (kCount == 1) {
+      return hn::Set(one, of[0][axis]);
+    } else {
+      return hn::Combine(LeafTag<2>(), hn::Set(one, of[1][axis]), hn::Set(one, of[0][axis]));
+    }
+  }
 
   template <class RowOf>
   HWY_INLINE Floats load(const RowOf& row_of) const {

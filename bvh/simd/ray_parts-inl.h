@@ -24,6 +24,7 @@ namespace lkao::bvh::HWY_NAMESPACE {
 struct WholeRays {
   static constexpr bool kHasParts = false;
 
+  WholeRays() = default;
   explicit WholeRays(const Query&) {}
 
   template <class Tag>

@@ -75,16 +75,6 @@ class RaySet {
     }
   }
 
-  const float *x, *y, *z;
-  alignas(64) float inverse_x[kMaxRayCount];
-  alignas(64) float inverse_y[kMaxRayCount];
-  alignas(64) float inverse_z[kMaxRayCount];
-  int chunk_count;
-  // By ray, the leaf that blocked it, where blockers are remembered; behind the rays is room for what is none.
-  std::uint32_t blockers[kMaxRayCount + kLaneCount];
-  alignas(64) std::uint16_t open[kMaxChunkCount];
-
- private:
   // Components shorter than half the margin of boxes count as that long, so that no product with a face overflows:
   // along such a component the ray leaves the box no later than it did.
   static void invert(const float* from, int count, float* to) {
@@ -96,6 +86,15 @@ class RaySet {
       hn::Store(reciprocal(tag, limited), tag, to + i);
     }
   }
+
+  const float *x, *y, *z;
+  alignas(64) float inverse_x[kMaxRayCount];
+  alignas(64) float inverse_y[kMaxRayCount];
+  alignas(64) float inverse_z[kMaxRayCount];
+  int chunk_count;
+  // By ray, the leaf that blocked it, where blockers are remembered; behind the rays is room for what is none.
+  std::uint32_t blockers[kMaxRayCount + kLaneCount];
+  alignas(64) std::uint16_t open[kMaxChunkCount];
 };
 static_assert(kMaxChunkCount <= 64);
 static_assert(std::endian::native == std::endian::little, "a chunk is 16 bits of a 64-bit word");

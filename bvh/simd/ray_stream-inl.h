@@ -17,7 +17,7 @@
 #include "bvh/holed_triangle.h"
 #include "bvh/layout.h"
 #include "bvh/query.h"
-#include "bvh/ray_box.h"
+#include "bvh/simd/box_masks-inl.h"
 #include "bvh/simd/leaf_frames-inl.h"
 #include "bvh/simd/ray_sets-inl.h"
 
@@ -182,32 +182,20 @@ class RayStream {
     pairs_.count = count;
   }
 
-  // The slab test of may_meet, with the face that a ray meets first found by its sign. Adds the children that the ray
-  // may meet to the `count` pairs there are, and returns how many are then.
+  // Adds the children that the ray may meet to the `count` pairs there are, and returns how many are then.
   HWY_INLINE int visit_node(const Node& node, std::uint32_t ray, int count) {
     const BoxTag tag;
     const hn::RebindToUnsigned<BoxTag> bits_tag;
     const float inverse[] = {rays_.inverse_x[ray], rays_.inverse_y[ray], rays_.inverse_z[ray]};
     for (int i = 0; i < kWidth; i += lane_count(tag)) {
-      auto enter = parts_.begin_of_one(tag, ray), leave = parts_.end_of_one(tag, ray);
-      for (int axis = 0; axis < 3; ++axis) {
-        const auto by = hn::Set(tag, inverse[axis]);
-        const std::uint32_t down = sign_of(inverse[axis]);
-        const auto at = [&](std::uint32_t face) HWY_ATTR {
-          const auto from = hn::Set(tag, query_.face_origins[face][axis]);
-          return hn::Mul(hn::Sub(hn::Load(tag, node.faces[face][axis] + i), from), by);
-        };
-        enter = hn::Max(enter, at(down));
-        leave = hn::Min(leave, at(1 - down));
-      }
-      const auto met = hn::RebindMask(bits_tag, hn::Le(enter, hn::Mul(leave, hn::Set(tag, 1.0f + kBoxSlack))));
+      const auto origin = [&](std::uint32_t face, int axis) { return query_.face_origins[face][axis]; };
+      const auto enter = parts_.begin_of_one(tag, ray), leave = parts_.end_of_one(tag, ray);
+      const auto met = hn::RebindMask(bits_tag, children_met(node, i, inverse, origin, enter, leave));
       hn::StoreU(hn::Set(bits_tag, ray), bits_tag, pairs_.rays + count);
       count += store_packed(bits_tag, hn::Load(bits_tag, node.child_bits() + i), met, pairs_.children + count);
     }
     return count;
   }
-
-  static HWY_INLINE std::uint32_t sign_of(float value) { return std::bit_cast<std::uint32_t>(value) >> 31; }
 
   void visit_leaves() {
     if (HWY_UNLIKELY(receiver_.has_holes)) {

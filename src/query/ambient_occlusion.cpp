@@ -68,13 +68,12 @@ QueryReport AmbientOcclusion::query(std::span<const Receiver> receivers, const Q
   query::require_sizes(outputs, receivers.size(), pattern_.word_count());
   return query::answer_in_parts(receivers.size(), progress, [&](std::size_t first, std::size_t last) {
     query::Tracer::Visit visit(*tracer_, query::bounds_of(receivers.subspan(first, last - first)));
-    ReceiverRays rays;
     QueryReport report;
-    for (std::size_t k = first; k < last; ++k) {
-      const OcclusionMask blocked = visit.trace(receivers[k], first_index + k, rays);
-      query::store(outputs, k, pattern_, receivers[k], rays, blocked);
+    const auto answer = [&](std::size_t k, const ReceiverRays& rays, const OcclusionMask& blocked) {
+      query::store(outputs, first + k, pattern_, receivers[first + k], rays, blocked);
       query::count(report, rays, blocked);
-    }
+    };
+    visit.trace_each(receivers.subspan(first, last - first), first_index + first, answer);
     return report;
   });
 }

@@ -61,6 +61,33 @@ OcclusionMask Tracer::Visit::trace(const Receiver& receiver, std::uint64_t index
   return trace_level(0, receiver, rays, key, rays.cast, nullptr);
 }
 
+bool Tracer::Visit::traces_batches() const {
+  const std::vector<Level>& levels = tracer_.levels_;
+  return tracer_.is_simd() && !entries_.empty() && levels.size() == 1 && levels[0].is_whole() &&
+         levels[0].occluders.layout().plain() == nullptr;
+}
+
+void Tracer::Visit::trace_batch(std::span<const Receiver> receivers, std::uint64_t first_index, ReceiverRays* rays,
+                                OcclusionMask* blocked) {
+  std::vector<bvh::Query> queries;
+  std::vector<std::size_t> askers;
+  queries.reserve(receivers.size());
+  askers.reserve(receivers.size());
+  for (std::size_t k = 0; k < receivers.size(); ++k) {
+    const Receiver& receiver = receivers[k];
+    tracer_.make_rays(receiver, first_index + k, rays[k]);
+    blocked[k] = {};
+    if (!rays[k].cast.any()) continue;
+    askers.push_back(k);
+    const std::uint64_t key = bvh::receiver_key(tracer_.options_.seed, first_index + k);
+    queries.push_back(make_query(0, receiver, rays[k], key, rays[k].cast, nullptr));
+  }
+  if (queries.empty()) return;
+  std::vector<OcclusionMask> answers(queries.size());
+  bvh::trace_batch(tracer_.levels_[0].occluders.layout(), queries, answers);
+  for (std::size_t i = 0; i < askers.size(); ++i) blocked[askers[i]] = answers[i];
+}
+
 OcclusionMask Tracer::Visit::trace_levels(const Receiver& receiver, const ReceiverRays& rays, std::uint64_t key) {
   const std::vector<Level>& levels = tracer_.levels_;
   OcclusionMask blocked;
@@ -80,21 +107,25 @@ OcclusionMask Tracer::Visit::trace_levels(const Receiver& receiver, const Receiv
   return blocked;
 }
 
+bvh::Query Tracer::Visit::make_query(std::size_t level, const Receiver& receiver, const ReceiverRays& rays,
+                                     std::uint64_t key, const OcclusionMask& open, const bvh::RayParts* parts) const {
+  return {.roots = entries_.empty() ? tracer_.levels_[level].occluders.layout().roots() : entries_[level].nodes(),
+          .rays = rays,
+          .open = open,
+          .radius = rays.radius,
+          .sidedness = tracer_.options_.sidedness,
+          .excluded_primitive = level == 0 ? receiver.excluded_primitive : kNoPrimitive,
+          .parts = parts,
+          .excluded_instance = receiver.excluded_instance,
+          .groups = receiver.occluder_groups,
+          .key = key};
+}
+
 OcclusionMask Tracer::Visit::trace_level(std::size_t level, const Receiver& receiver, const ReceiverRays& rays,
                                          std::uint64_t key, const OcclusionMask& open, const bvh::RayParts* parts) {
   const bvh::SceneLayout& scene = tracer_.levels_[level].occluders.layout();
   const bvh::Layout* const mesh = scene.plain();
-  bvh::Query query{.roots = scene.roots(),
-                   .rays = rays,
-                   .open = open,
-                   .radius = rays.radius,
-                   .sidedness = tracer_.options_.sidedness,
-                   .excluded_primitive = level == 0 ? receiver.excluded_primitive : kNoPrimitive,
-                   .parts = parts,
-                   .excluded_instance = receiver.excluded_instance,
-                   .groups = receiver.occluder_groups,
-                   .key = key};
-  if (!entries_.empty()) query.roots = entries_[level].nodes();
+  bvh::Query query = make_query(level, receiver, rays, key, open, parts);
   if (mesh == nullptr) return tracer_.trace(scene, query);
   if (!bvh::ask_mesh(scene, query)) return {};
   if (memories_) query.memory = &(*memories_)[level];

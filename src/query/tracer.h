@@ -1,7 +1,10 @@
 // From a receiver to its rays, and to those of them that the occluders of all levels block.
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <variant>
@@ -11,6 +14,7 @@
 #include "bvh/pattern_cones.h"
 #include "bvh/query.h"
 #include "bvh/scene_layout.h"
+#include "bvh/simd_batch.h"
 #include "lkao/ambient_occlusion.h"
 #include "query/blocker_memories.h"
 #include "query/levels.h"
@@ -51,9 +55,20 @@ class Tracer {
     // Makes the rays that the receiver casts; returns those that are blocked.
     OcclusionMask trace(const Receiver& receiver, std::uint64_t index, ReceiverRays& rays);
 
+    // The same for receivers of the indices from `first_index` on: calls `answer(k, rays, blocked)` for each in order.
+    template <typename Answer>
+    void trace_each(std::span<const Receiver> receivers, std::uint64_t first_index, const Answer& answer);
+
    private:
     // `key`: bvh::receiver_key.
     OcclusionMask trace_levels(const Receiver& receiver, const ReceiverRays& rays, std::uint64_t key);
+    // Whether receivers are better traced several at a time: in scenes of instances.
+    bool traces_batches() const;
+    // So many receivers, `rays` and `blocked`.
+    void trace_batch(std::span<const Receiver> receivers, std::uint64_t first_index, ReceiverRays* rays,
+                     OcclusionMask* blocked);
+    bvh::Query make_query(std::size_t level, const Receiver& receiver, const ReceiverRays& rays, std::uint64_t key,
+                          const OcclusionMask& open, const bvh::RayParts* parts) const;
     OcclusionMask trace_level(std::size_t level, const Receiver& receiver, const ReceiverRays& rays, std::uint64_t key,
                               const OcclusionMask& open, const bvh::RayParts* parts);
 
@@ -75,5 +90,23 @@ class Tracer {
   AnyKernel kernel_;
   mutable BlockerMemories memories_;
 };
+
+template <typename Answer>
+void Tracer::Visit::trace_each(std::span<const Receiver> receivers, std::uint64_t first_index, const Answer& answer) {
+  const bool in_batches = traces_batches();
+  const auto most = static_cast<std::size_t>(in_batches ? bvh::max_batch_receivers(tracer_.lanes_.ray_count) : 1);
+  const std::size_t room = std::min(most, receivers.size());
+  const auto rays = std::make_unique_for_overwrite<ReceiverRays[]>(room);
+  std::vector<OcclusionMask> blocked(room);
+  for (std::size_t first = 0; first < receivers.size(); first += most) {
+    const std::size_t count = std::min(most, receivers.size() - first);
+    if (in_batches) {
+      trace_batch(receivers.subspan(first, count), first_index + first, rays.get(), blocked.data());
+    } else {
+      blocked[0] = trace(receivers[first], first_index + first, rays[0]);
+    }
+    for (std::size_t k = 0; k < count; ++k) answer(first + k, rays[k], blocked[k]);
+  }
+}
 
 }  // namespace lkao::query

@@ -12,6 +12,7 @@
 #include "support/instances.h"
 #include "support/kernel_choice.h"
 #include "support/receivers.h"
+#include "support/sanitized.h"
 
 namespace lkao {
 namespace {
@@ -23,15 +24,23 @@ constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 class Instances : public tests::OnEveryKernel {
  protected:
-  // Each receiver's mask against every triangle of the flattened mesh; returns the number of blocked rays.
+  // Each receiver's mask, by itself and in a batch, against every triangle of the flattened mesh; returns the number of
+  // blocked rays.
   std::uint64_t expect_flattened_bits(const std::vector<MeshInstance>& instances,
                                       const std::vector<Receiver>& receivers, const RayOptions& options,
                                       int ray_count = 64) const {
     const Mesh all = tests::flattened(instances);
     const AmbientOcclusion ao(OccluderScene(instances), SamplePattern::standard(ray_count), options, GetParam().kernel);
+    std::vector<std::uint64_t> batch(receivers.size() * static_cast<std::size_t>(ao.pattern().word_count()));
+    ao.query(receivers, {.mask_words = batch});
     std::uint64_t blocked_count = 0;
     for (std::size_t i = 0; i < receivers.size(); ++i) {
       const OcclusionMask mask = ao.blocked(receivers[i], i);
+      for (int word = 0; word < ao.pattern().word_count(); ++word) {
+        EXPECT_EQ(batch[i * static_cast<std::size_t>(ao.pattern().word_count()) + static_cast<std::size_t>(word)],
+                  mask.words[word])
+            << "receiver " << i << " of a batch";
+      }
       const ReceiverRays rays = ao.rays(receivers[i], i);
       std::uint32_t excluded = receivers[i].excluded_primitive;
       for (std::uint32_t k = 0; k < receivers[i].excluded_instance && excluded != kNoPrimitive; ++k) {
@@ -79,6 +88,28 @@ TEST_P(Instances, HaveTheBitsOfTheFlattenedMesh) {
       EXPECT_GT(expect_flattened_bits(crowd.instances, crowd.receivers, options, 256), 100u) << radius;
     }
   }
+}
+
+// Few rays of each receiver meet an instance there, and the numbers of rays fill batches in different ways.
+TEST_P(Instances, HaveThemSeenFromAfar) {
+  lut::RandomStream random(75);
+  const std::array<Mesh, 2> meshes = {tests::random_soup(40, 0.9f, 76), tests::closed_sphere(8, 6)};
+  std::vector<MeshInstance> instances;
+  for (std::size_t i = 0; i < 24; ++i) {
+    const glm::vec3 place = 4.0f * tests::random_point(random, 1);
+    const glm::vec3 scale(i % 5 == 1 ? -0.4f : 0.4f, i % 7 == 2 ? 1e-3f : 0.4f, 0.5f);
+    instances.push_back(instance_of(meshes[i % 2], tests::random_transform(random, scale, place)));
+  }
+  std::vector<Receiver> receivers = tests::random_receivers(tests::unless_sanitized(70, 20), 0.5f, 77);
+  receivers[3].normal = glm::vec3(0);  // casts no ray
+  for (const Sidedness sidedness : {Sidedness::two_sided, Sidedness::one_sided}) {
+    for (const float radius : {5.0f, kInfinity}) {
+      const RayOptions options{.radius = radius, .sidedness = sidedness};
+      EXPECT_GT(expect_flattened_bits(instances, receivers, options, 100), 100u) << radius;
+    }
+  }
+  receivers.resize(10);
+  EXPECT_GT(expect_flattened_bits(instances, receivers, {.radius = 9}, 1024), 100u);
 }
 
 TEST_P(Instances, HaveThemUnderAnyStretch) {
@@ -184,7 +215,11 @@ TEST_P(Instances, BlockOnlyTheirGroups) {
   const OccluderScene scene({mesh}, std::vector<OccluderInstance>{{0, at(0), 1}, {0, at(1.5f), 2}, {0, at(4), 0}});
   const AmbientOcclusion ao(scene, SamplePattern::standard(64), {.radius = 1.5f}, GetParam().kernel);
   const auto occlusion = [&](float x, std::uint32_t groups) {
-    return ao.query({.position = {x, 0, 0}, .normal = {1, 0, 0}, .occluder_groups = groups}, 0).occlusion;
+    const Receiver receiver{.position = {x, 0, 0}, .normal = {1, 0, 0}, .occluder_groups = groups};
+    float in_batch = 2;
+    ao.query({&receiver, 1}, {.occlusion = {&in_batch, 1}});
+    EXPECT_EQ(in_batch, ao.query(receiver, 0).occlusion);
+    return in_batch;
   };
   EXPECT_EQ(occlusion(0, kAllGroups), 1);
   EXPECT_EQ(occlusion(0, 1), 1);
