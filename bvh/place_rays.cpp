@@ -4,32 +4,29 @@
 #include <cmath>
 #include <limits>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
+
+#include "bvh/simd_scene.h"
 
 namespace lkao::bvh {
 namespace {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
-// Lists the open rays, and rays without length up to a whole word of a mask.
-void pick_rays(PlacedRays& placed) {
+// Lists the open rays, and rays without length up to a whole word of a mask. Returns the length of the longest.
+float pick_rays(PlacedRays& placed, float reach) {
   const Query& world = placed.world;
   ReceiverRays& rays = placed.rays;
-  const glm::dmat3 turn(world.placement->to_mesh);
   int count = 0;
   for_each_ray(world.open, world.rays.word_count(),
                [&](int ray) { placed.numbers[count++] = static_cast<std::uint16_t>(ray); });
   rays.ray_count = count;
   placed.open = first_rays(count);
-  for (int i = 0; i < count; ++i) {
-    // Rounded once, after sums in double.
-    const glm::vec3 ray(turn * glm::dvec3(world.rays.ray(placed.numbers[i])));
-    rays.x[i] = ray.x;
-    rays.y[i] = ray.y;
-    rays.z[i] = ray.z;
-  }
+  const float longest = turn_open_rays(world, reach, rays);
   for (int i = count; i < 64 * word_count_of(count); ++i) rays.x[i] = rays.y[i] = rays.z[i] = 0;
+  return longest;
 }
 
 void pick_parts(PlacedRays& placed) {
@@ -45,12 +42,15 @@ void pick_parts(PlacedRays& placed) {
   placed.parts.far = placed.rays.radius;
 }
 
-float longest(const ReceiverRays& rays) {
-  float longest2 = 0;
-  for (int i = 0; i < rays.ray_count; ++i) {
-    longest2 = std::max(longest2, rays.x[i] * rays.x[i] + rays.y[i] * rays.y[i] + rays.z[i] * rays.z[i]);
-  }
-  return std::sqrt(longest2);
+// No part of a ray farther than this from its origin can meet the mesh. What is uncertain of all rays grows with the
+// longest; parts are shares of whole rays.
+float reach_of(const PlacedRays& placed, const Bounds& mesh) {
+  if (placed.world.parts != nullptr) return kInfinity;
+  const glm::vec3& origin = placed.rays.origin;
+  const glm::vec3 farthest = glm::max(glm::abs(mesh.lower - origin), glm::abs(mesh.upper - origin));
+  // Corners are not quite where they count, nor is the origin.
+  const glm::vec3 off = placed.world.placement->displacement + 0x1p-20f * glm::abs(origin);
+  return 1.125f * (glm::length(farthest) + glm::length(off));
 }
 
 }  // namespace
@@ -74,7 +74,7 @@ glm::vec3 uncertainty(const Placement& placement, const glm::vec3& origin, float
   return result;
 }
 
-bool place_rays(PlacedRays& placed) {
+bool place_rays(PlacedRays& placed, const Bounds& mesh) {
   const Query& world = placed.world;
   const Placement& placement = *world.placement;
   if (!placement.suits_floats) return false;
@@ -85,9 +85,8 @@ bool place_rays(PlacedRays& placed) {
   const glm::dmat3 linear(placement.to_world[0], placement.to_world[1], placement.to_world[2]);
   rays.up = glm::vec3(glm::normalize(glm::transpose(linear) * glm::dvec3(world.rays.up)));
   rays.frame = glm::mat3(1);
-  pick_rays(placed);
   // A share more than the longest: bounds of rounding that are in proportion to it then cover that of the rays as well.
-  rays.radius = 1.125f * longest(rays);
+  rays.radius = 1.125f * pick_rays(placed, reach_of(placed, mesh));
   if (!(rays.radius < 1e18f && rays.radius > 1e-18f) || !(glm::length(rays.origin) < 1e18f)) return false;
   if (world.parts != nullptr) pick_parts(placed);
   const glm::vec3 off = uncertainty(placement, world.rays.origin, world.radius, rays.origin, rays.radius);

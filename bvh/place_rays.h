@@ -6,9 +6,9 @@
 
 namespace lkao::bvh {
 
-// Takes the open rays of `placed.world`, a query of an instance, to the space of its mesh. False where that is no
-// matter for floats, since its transform is too flat or the numbers are too large or small.
-bool place_rays(PlacedRays& placed);
+// Takes the open rays of `placed.world`, a query of an instance, to the space of its mesh, which lies within `mesh`.
+// False where that is no matter for floats, since its transform is too flat or the numbers are too large or small.
+bool place_rays(PlacedRays& placed, const Bounds& mesh);
 
 // How far off corners are, by axis, for rays in the space of a mesh: their own displacement, that of the origin, and
 // what the definition grants. The origin and the longest ray in the world and in the mesh's space, or what is larger.

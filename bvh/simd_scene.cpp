@@ -1,7 +1,10 @@
 // Compiled once for every SIMD target (Highway); the fastest that the processor has is chosen at run time.
 #include "bvh/simd_scene.h"
 
+#include <algorithm>
 #include <bit>
+#include <cmath>
+#include <cstdint>
 #include <cstring>
 
 #include "bvh/place_rays.h"
@@ -25,6 +28,20 @@ namespace {
 
 OcclusionMask trace_simd(const SceneLayout& scene, const Query& query) { return trace_scalar(scene, query); }
 
+float turn_open_rays(const Query& world, float, ReceiverRays& to) {
+  const glm::dmat3 turn(world.placement->to_mesh);
+  float longest2 = 0;
+  int count = 0;
+  for_each_ray(world.open, world.rays.word_count(), [&](int number) {
+    const glm::vec3 ray(turn * glm::dvec3(world.rays.ray(number)));
+    to.x[count] = ray.x;
+    to.y[count] = ray.y;
+    to.z[count++] = ray.z;
+    longest2 = std::max(longest2, glm::dot(ray, ray));
+  });
+  return std::sqrt(longest2);
+}
+
 }  // namespace
 }  // namespace lkao::bvh::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
@@ -33,6 +50,7 @@ HWY_AFTER_NAMESPACE();
 
 #include "bvh/simd/box_masks-inl.h"
 #include "bvh/simd/ray_sets-inl.h"
+#include "bvh/simd/turned_rays-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace lkao::bvh::HWY_NAMESPACE {
@@ -121,6 +139,49 @@ HWY_NOINLINE OcclusionMask traverse(const SceneLayout& scene, const Query& query
   return SceneTraversal<Parts>(scene, query).run();
 }
 
+// Rays of a chunk in the space of the query's instance, no longer than `reach`.
+HWY_INLINE void turn_chunk(const Query& world, int chunk, float reach, float (&turned)[3][kLaneCount]) {
+  const TurnedRays::DoubleTag double_tag;
+  const TurnedRays::FloatTag tag;
+  const int first = chunk * kLaneCount;
+  for (int i = 0; i < kLaneCount; i += lane_count(tag)) {
+    const ReceiverRays& from = world.rays;
+    const TurnedRays rays(world.placement->to_mesh, from.x + first + i, from.y + first + i, from.z + first + i);
+    const auto share = hn::PromoteTo(double_tag, hn::Min(rays.share_of(reach), hn::Set(tag, 1.0f)));
+    hn::Store(hn::DemoteTo(tag, hn::Mul(share, rays.x())), tag, turned[0] + i);
+    hn::Store(hn::DemoteTo(tag, hn::Mul(share, rays.y())), tag, turned[1] + i);
+    hn::Store(hn::DemoteTo(tag, hn::Mul(share, rays.z())), tag, turned[2] + i);
+  }
+}
+
+float turn_open_rays(const Query& world, float reach, ReceiverRays& to) {
+  const RayTag tag;
+  const hn::RebindToUnsigned<RayTag> bits_tag;
+  float* const components[] = {to.x, to.y, to.z};
+  auto longest2 = hn::Zero(tag);
+  int count = 0;
+  for (int chunk = 0; chunk * kLaneCount < world.rays.ray_count; ++chunk) {
+    const std::uint64_t mask = world.open.words[chunk / 4] >> (chunk % 4 * kLaneCount);
+    if ((mask & ((1u << kLaneCount) - 1)) == 0) continue;
+    alignas(64) float turned[3][kLaneCount];
+    turn_chunk(world, chunk, reach, turned);
+    for (int i = 0; i < kLaneCount; i += lane_count(tag)) {
+      const auto lanes = static_cast<std::uint32_t>(mask >> i) & ((1u << lane_count(tag)) - 1);
+      auto length2 = hn::Zero(tag);
+      for (int axis = 0; axis < 3; ++axis) {
+        const auto component = hn::Load(tag, turned[axis] + i);
+        length2 = hn::MulAdd(component, component, length2);
+        // What is stored behind is no farther than the chunk itself.
+        store_packed(bits_tag, hn::BitCast(bits_tag, component), lanes,
+                     reinterpret_cast<std::uint32_t*>(components[axis] + count));
+      }
+      longest2 = hn::Max(longest2, hn::IfThenElseZero(mask_of(tag, lanes), length2));
+      count += std::popcount(lanes);
+    }
+  }
+  return std::sqrt(hn::GetLane(hn::MaxOfLanes(tag, longest2)));
+}
+
 OcclusionMask trace_simd(const SceneLayout& scene, const Query& query) {
   return query.parts != nullptr ? traverse<PartsOfRays>(scene, query) : traverse<WholeRays>(scene, query);
 }
@@ -135,6 +196,7 @@ HWY_AFTER_NAMESPACE();
 namespace lkao::bvh {
 
 HWY_EXPORT(trace_simd);
+HWY_EXPORT(turn_open_rays);
 
 OcclusionMask trace_instance(const SceneLayout& scene, const Query& scene_query, std::uint32_t instance,
                              const OcclusionMask& open) {
@@ -142,12 +204,16 @@ OcclusionMask trace_instance(const SceneLayout& scene, const Query& scene_query,
   const Layout& mesh = scene.mesh_of(scene.placements[instance]);
   PlacedRays placed(query);
   // Where the transform takes them out of the range of floats, the definition is asked at once.
-  if (!place_rays(placed)) return trace_scalar(mesh, query);
+  if (!place_rays(placed, mesh.bounds)) return trace_scalar(mesh, query);
   return in_world(placed, trace_simd(mesh, query_of(placed), cones_of_any_rays()));
 }
 
 OcclusionMask trace_simd(const SceneLayout& scene, const Query& query) {
   return LKAO_DISPATCH(trace_simd)(scene, query);
+}
+
+float turn_open_rays(const Query& world, float reach, ReceiverRays& to) {
+  return LKAO_DISPATCH(turn_open_rays)(world, reach, to);
 }
 
 }  // namespace lkao::bvh

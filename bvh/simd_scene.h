@@ -17,4 +17,8 @@ OcclusionMask trace_simd(const SceneLayout& scene, const Query& query);
 OcclusionMask trace_instance(const SceneLayout& scene, const Query& query, std::uint32_t instance,
                              const OcclusionMask& open);
 
+// Lists the open rays of a query of an instance in the space of its mesh, one behind the other, each cut where it is
+// `reach` long, or somewhat behind. Returns the length of the longest.
+float turn_open_rays(const Query& world, float reach, ReceiverRays& to);
+
 }  // namespace lkao::bvh

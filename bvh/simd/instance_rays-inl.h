@@ -18,6 +18,7 @@
 #include "bvh/place_rays.h"
 #include "bvh/scene_query.h"
 #include "bvh/simd/batch_rays-inl.h"
+#include "bvh/simd/turned_rays-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace lkao::bvh::HWY_NAMESPACE {
@@ -146,26 +147,14 @@ class InstanceRays {
   }
 
  private:
-  // From the world to the mesh: sums in double, rounded once. Origins first, then the ways to the ends.
+  // From the world to the mesh, rounded once: origins first, then the ways to the ends.
   HWY_INLINE void place(const BatchRays& batch, int first, const float* enter, const float* leave,
                         float (&components)[6][kLaneCount]) const {
-    using DoubleTag = hn::CappedTag<double, 8>;
-    const DoubleTag double_tag;
-    const hn::Rebind<float, DoubleTag> tag;
-    const auto turn = [&](int i, int row) HWY_ATTR {
-      const float* const from[] = {batch.x, batch.y, batch.z};
-      auto sum = hn::Zero(double_tag);
-      for (int axis = 0; axis < 3; ++axis) {
-        const auto component = hn::PromoteTo(double_tag, hn::Load(tag, from[axis] + first + i));
-        sum = hn::MulAdd(hn::Set(double_tag, placement_->to_mesh[axis][row]), component, sum);
-      }
-      return sum;
-    };
+    const TurnedRays::DoubleTag double_tag;
+    const TurnedRays::FloatTag tag;
     for (int i = 0; i < kLaneCount; i += lane_count(double_tag)) {
-      const auto x = turn(i, 0), y = turn(i, 1), z = turn(i, 2);
-      const auto length2 = hn::DemoteTo(tag, hn::MulAdd(x, x, hn::MulAdd(y, y, hn::Mul(z, z))));
-      const auto inverse_length = hn::ApproximateReciprocalSqrt(hn::Max(length2, hn::Set(tag, 1e-36f)));
-      const auto size = hn::Mul(hn::Set(tag, size_), inverse_length), enters = hn::Load(tag, enter + i);
+      const TurnedRays rays(placement_->to_mesh, batch.x + first + i, batch.y + first + i, batch.z + first + i);
+      const auto size = rays.share_of(size_), enters = hn::Load(tag, enter + i);
       const auto ends = hn::Max(hn::Load(tag, leave + i), hn::Add(enters, size));
       const auto begin = hn::PromoteTo(double_tag, hn::Max(hn::Sub(enters, size), hn::Zero(tag)));
       const auto end = hn::PromoteTo(double_tag, hn::Min(ends, hn::Set(tag, 1.0f)));
@@ -174,9 +163,9 @@ class InstanceRays {
         hn::Store(hn::DemoteTo(tag, origin), tag, components[row] + i);
         hn::Store(hn::DemoteTo(tag, hn::Mul(hn::Sub(end, begin), along)), tag, components[3 + row] + i);
       };
-      store(0, x);
-      store(1, y);
-      store(2, z);
+      store(0, rays.x());
+      store(1, rays.y());
+      store(2, rays.z());
     }
   }
 

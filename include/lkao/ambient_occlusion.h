@@ -131,7 +131,7 @@ class LKAO_API AmbientOcclusion {
   Neighbourhood around(const Bounds& positions) const;
 
   // Many receivers, in parallel, in the TBB arena of the caller. Receiver k has index first_index + k. In scenes of
-  // instances neighbours are answered together, 64 at a time, fewer from 192 rays on: neighbours should follow one
+  // instances neighbours are answered together, 64 at a time, fewer of more than 128 rays: neighbours should follow one
   // another. Each thread takes 1.5 MiB for that meanwhile.
   // Throws std::invalid_argument where a span of the outputs has the wrong size, and Cancelled where `progress`, which
   // counts receivers, stops it: some entries of the outputs are answers then, the others are what they were.
