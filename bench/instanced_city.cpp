@@ -118,7 +118,7 @@ InstancedCity make_city(std::size_t instance_count) {
     city.instances.push_back(make_instance(random, kStreet * glm::dvec3(column - half, 0, row - half)));
   }
   const double width = kStreet * (static_cast<double>(side) + 2);
-  city.instances.push_back({kGround, stand(0, glm::dvec3(width, 1, width), {0, 0, 0})});
+  city.instances.push_back({kGround, stand(0, glm::dvec3(width), {0, 0, 0})});
   for (const OccluderInstance& instance : city.instances) {
     city.triangle_count += city.meshes[instance.mesh].triangles.size();
   }

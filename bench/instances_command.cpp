@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <fstream>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -32,7 +33,7 @@ namespace {
 
 struct InstancesOptions {
   std::vector<std::size_t> counts = {1000, 100'000, 1'000'000};
-  std::vector<float> radii = {4, 16};
+  std::vector<float> radii = {4, 16, 64, std::numeric_limits<float>::infinity()};
   int ray_count = 128;
   int tile_count = 4;
   int round_count = 5;
@@ -302,9 +303,8 @@ Command add_instances_command(CLI::App& program) {
       ->delimiter(',')
       ->check(CLI::Range(std::size_t{2}, std::size_t{100'000'000}))
       ->capture_default_str();
-  app->add_option("--radii", options->radii, "AO radii; houses are some 4 wide")
+  app->add_option("--radii", options->radii, "AO radii; houses are some 4 wide; inf: without bounds")
       ->delimiter(',')
-      ->check(CLI::PositiveNumber)
       ->capture_default_str();
   app->add_option("--rays", options->ray_count, "of a receiver")
       ->check(CLI::Range(kMinRayCount, kMaxRayCount))
