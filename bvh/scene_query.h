@@ -34,9 +34,4 @@ inline Query query_of_instance(const SceneLayout& scene, const Query& query, std
           .placement = &placement};
 }
 
-// By the definition: does this triangle of an instance block a ray of the query? Not inline: it is asked seldom, and
-// GCC 12.2 got answers wrong where it made vectors for AVX2 of this and what is around it.
-bool is_blocked_by(const SceneLayout& scene, const Query& query, std::uint32_t instance, std::uint32_t primitive,
-                   int ray);
-
 }  // namespace lkao::bvh

@@ -163,7 +163,8 @@ class BatchTraversal {
 
   bool suits_walkers(const Query& query, std::uint32_t instance) const {
     const bool excludes = query.excluded_instance == instance && query.excluded_primitive != kNoPrimitive;
-    return scene_.placements[instance].suits_floats && !excludes;
+    const Placement& placement = scene_.placements[instance];
+    return placement.suits_floats && !excludes && !has_holes(scene_.mesh_of(placement).options.cut_outs);
   }
 
   // Chunks from `first` on to before `last`.

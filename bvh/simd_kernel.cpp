@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <bit>
 
-#include "bvh/ray_triangle.h"
 #include "bvh/scalar_kernel.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -363,11 +362,10 @@ class SimdTraversal {
     for (int triangle = 0; triangle < leaf.triangle_count(); ++triangle) {
       const std::uint32_t in_doubt = planes.blocked(triangle, rays_, parts_, chunk).perhaps & lanes & ~blocked;
       if (in_doubt == 0) continue;
-      const std::uint32_t primitive = leaf.primitives[triangle];
-      const TriangleTest test = make_test(layout_, primitive, query_);
-      for (std::uint32_t rest = test.can_block() ? in_doubt : 0; rest != 0; rest &= rest - 1) {
+      DefinedTriangle defined(layout_, query_, leaf.primitives[triangle]);
+      for (std::uint32_t rest = in_doubt; rest != 0; rest &= rest - 1) {
         const int lane = std::countr_zero(rest);
-        if (blocks(test, layout_, primitive, query_, chunk * kLaneCount + lane)) blocked |= 1u << lane;
+        if (defined.blocks(chunk * kLaneCount + lane)) blocked |= 1u << lane;
       }
     }
     return blocked;

@@ -11,7 +11,7 @@
 
 #include <hwy/highway.h>
 
-#include "bvh/holed_triangle.h"
+#include "bvh/defined_triangle.h"
 #include "bvh/simd/hole_squares-inl.h"
 #include "bvh/simd/leaf_planes-inl.h"
 #include "bvh/simd/ray_sets-inl.h"
@@ -54,7 +54,7 @@ class HoledPlanes {
   int triangle_;
   std::uint32_t primitive_;
   HoleSquares squares_;
-  HoledTriangle holed_;
+  DefinedTriangle holed_;
 };
 
 }  // namespace lkao::bvh::HWY_NAMESPACE

@@ -15,6 +15,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "bvh/defined_triangle.h"
 #include "bvh/place_rays.h"
 #include "bvh/scene_query.h"
 #include "bvh/simd/batch_rays-inl.h"
@@ -127,9 +128,10 @@ class InstanceRays {
   HWY_NOINLINE bool is_blocked(const Leaf& leaf, std::uint32_t triangles, std::uint32_t number) const {
     const int receiver = receiver_of_[number];
     const auto ray = static_cast<int>(places_[number] - first_places_[receiver]);
+    const Query query = query_of_instance(*scene_, *receivers_[receiver], instance_, receivers_[receiver]->open);
     for (; triangles != 0; triangles &= triangles - 1) {
       const std::uint32_t primitive = leaf.primitives[std::countr_zero(triangles)];
-      if (is_blocked_by(*scene_, *receivers_[receiver], instance_, primitive, ray)) return true;
+      if (DefinedTriangle(mesh(), query, primitive).blocks(ray)) return true;
     }
     return false;
   }

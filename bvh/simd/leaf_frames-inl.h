@@ -13,6 +13,7 @@
 
 #include <hwy/highway.h>
 
+#include "bvh/defined_triangle.h"
 #include "bvh/layout.h"
 #include "bvh/pattern_cones.h"
 #include "bvh/query.h"
@@ -348,10 +349,10 @@ class LeafFrames {
     Sides sides{0, 0};
     for (; triangles != 0; triangles &= triangles - 1) {
       const int i = std::countr_zero(triangles);
-      const TriangleTest test = make_test(receiver.layout, leaf.primitives[i], receiver.query);
-      if (!test.can_block()) {
+      DefinedTriangle triangle(receiver.layout, receiver.query, leaf.primitives[i]);
+      if (!triangle.can_block()) {
         sides.cannot_block |= 1u << i;
-      } else if (test.in_front()) {
+      } else if (triangle.is_in_front()) {
         sides.in_front |= 1u << i;
       }
     }

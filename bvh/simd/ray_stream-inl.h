@@ -14,7 +14,7 @@
 #include <hwy/highway.h>
 
 #include "bvh/blocker_memory.h"
-#include "bvh/holed_triangle.h"
+#include "bvh/defined_triangle.h"
 #include "bvh/layout.h"
 #include "bvh/query.h"
 #include "bvh/simd/box_masks-inl.h"
@@ -261,8 +261,7 @@ class RayStream {
     if (holed != 0 && goes_through_no_hole(leaf, ray, holed, triangles.sure)) return true;
     for (std::uint32_t rest = triangles.perhaps & ~frames.holed(); rest != 0; rest &= rest - 1) {
       const std::uint32_t primitive = leaf.primitives[std::countr_zero(rest)];
-      const TriangleTest test = make_test(layout_, primitive, query_);
-      if (test.can_block() && blocks(test, layout_, primitive, query_, static_cast<int>(ray))) return true;
+      if (DefinedTriangle(layout_, query_, primitive).blocks(static_cast<int>(ray))) return true;
     }
     return false;
   }
@@ -271,7 +270,7 @@ class RayStream {
   bool goes_through_no_hole(const Leaf& leaf, std::uint32_t ray, std::uint32_t holed, std::uint32_t sure) const {
     for (holed &= (1u << leaf.triangle_count()) - 1; holed != 0; holed &= holed - 1) {
       const int i = std::countr_zero(holed);
-      HoledTriangle triangle(layout_, query_, leaf.primitives[i]);
+      DefinedTriangle triangle(layout_, query_, leaf.primitives[i]);
       const bool is_sure = (sure >> i & 1) != 0;
       const int number = static_cast<int>(ray);
       if (is_sure ? triangle.blocks_met(number) : triangle.blocks(number)) return true;
