@@ -20,7 +20,7 @@ constexpr int max_batch_receivers(int ray_count) {
 // Which of their open rays are blocked: equal to trace_simd for each query by itself. All have as many rays and the
 // same roots, sidedness and no parts; neighbours gain most. Rays go through the nodes over the instances together, and
 // the few of each receiver that may meet an instance go through its mesh's hierarchy with those of the others.
-// Allocates some 400 KiB; any thread.
+// Allocates some 600 KiB; any thread.
 void trace_batch(const SceneLayout& scene, std::span<const Query> queries, std::span<OcclusionMask> blocked);
 
 }  // namespace lkao::bvh

@@ -38,10 +38,11 @@ class TurnedRays {
   Doubles y() const { return y_; }
   Doubles z() const { return z_; }
 
-  // What share of each ray is so long, nearly; no number is infinite.
+  // What share of each ray is so long, nearly; of rays so long that floats do not hold their squares it is larger.
   HWY_INLINE Floats share_of(float length) const {
     const FloatTag tag;
-    const auto length2 = hn::DemoteTo(tag, hn::MulAdd(x_, x_, hn::MulAdd(y_, y_, hn::Mul(z_, z_))));
+    const auto all = hn::MulAdd(x_, x_, hn::MulAdd(y_, y_, hn::Mul(z_, z_)));
+    const auto length2 = hn::DemoteTo(tag, hn::Min(all, hn::Set(DoubleTag(), 1e38)));
     return hn::Mul(hn::Set(tag, length), hn::ApproximateReciprocalSqrt(hn::Max(length2, hn::Set(tag, 1e-36f))));
   }
 
