@@ -29,7 +29,7 @@ double rmse(const PatternError& e) { return e.rmse; }
 double independent_rmse(const PatternError& e) { return e.independent_rmse; }
 
 // Over scenes. Those without any error (an open plane) say nothing.
-double geometric_mean(const Rows& rows, const Test& test, const Number& value) {
+double geometric_mean_of(const Rows& rows, const Test& test, const Number& value) {
   std::vector<double> values;
   for (const auto& [scene, e] : rows) {
     if (test(e) && value(e) > 0) values.push_back(value(e));
@@ -66,8 +66,8 @@ void print_kinds(const Rows& rows, const std::string& falloff) {
     fmt::print("| {} |", pattern_kind_name(kind));
     for (int ray_count : kStudyRayCounts) {
       const Test test = is_case(kind, ray_count, falloff);
-      const double sobol = geometric_mean(rows, is_case(PatternKind::sobol, ray_count, falloff), rmse);
-      fmt::print(" {:.3f} ({:+.4f}) |", geometric_mean(rows, test, rmse) / sobol, largest_bias(rows, test));
+      const double sobol = geometric_mean_of(rows, is_case(PatternKind::sobol, ray_count, falloff), rmse);
+      fmt::print(" {:.3f} ({:+.4f}) |", geometric_mean_of(rows, test, rmse) / sobol, largest_bias(rows, test));
     }
     fmt::print("\n");
   }
@@ -104,8 +104,8 @@ void print_falloffs(const Rows& rows) {
   for (const Falloff& falloff : study_falloffs()) {
     for (int ray_count : kStudyRayCounts) {
       const Test test = is_case(PatternKind::lloyd, ray_count, falloff.name());
-      const double own = geometric_mean(rows, test, rmse);
-      const double independent = geometric_mean(rows, test, independent_rmse);
+      const double own = geometric_mean_of(rows, test, rmse);
+      const double independent = geometric_mean_of(rows, test, independent_rmse);
       fmt::print("| {} | {} | {:.5f} | {:.5f} | {:.0f} | {:+.5f} |\n", falloff.name(), ray_count, own, independent,
                  ray_count * (independent / own) * (independent / own), largest_bias(rows, test));
     }
@@ -120,7 +120,7 @@ void print_jitters(const Rows& rows) {
     for (const Jitter& jitter : study_jitters()) {
       const Test test = is_case(PatternKind::lloyd, ray_count, "constant", jitter);
       fmt::print("| {} | {} | {} | {:.5f} | {:+.5f} | {:+.2f} |\n", ray_count, jitter.rotation, jitter.tilt,
-                 geometric_mean(rows, test, rmse), largest_bias(rows, test),
+                 geometric_mean_of(rows, test, rmse), largest_bias(rows, test),
                  mean(rows, test, [](const PatternError& e) { return e.neighbour_correlation; }));
     }
   }

@@ -64,9 +64,9 @@ struct RasterOptions {
   std::string csv;
 };
 
-class Studies {
+class RasterStudies {
  public:
-  explicit Studies(const RasterOptions& options)
+  explicit RasterStudies(const RasterOptions& options)
       : options_(options),
         names_(study_scene_names(options.scenes)),
         rasterizer_(method::prepare_device(options.settings)),
@@ -140,7 +140,7 @@ Command add_raster_command(CLI::App& program) {
   add_csv_option(*app, options->csv);
   return {app, [options] {
             check(*options);
-            Studies(*options).run();
+            RasterStudies(*options).run();
             return 0;
           }};
 }

@@ -42,7 +42,7 @@ AreaLight hang_light(const StudyScene& scene, const std::string& kind, float rad
   return SphereLight{position, radius};
 }
 
-Columns csv_columns() {
+Columns shadow_csv_columns() {
   return {{"scene"},
           {"light"},
           {"light_radius", "{:.6g}"},
@@ -60,7 +60,7 @@ Columns csv_columns() {
           {"visibility_mae", "{:.4g}"}};
 }
 
-Columns table_columns() {
+Columns shadow_table_columns() {
   return {{"scene", "{}", -16},
           {"light", "{}", -6},
           {"light_radius", "{:.4g}", 8, "radius"},
@@ -109,7 +109,7 @@ class ShadowsComparison {
       : options_(options),
         names_(study_scene_names(options.scenes)),
         isas_(compared_isas(options.isas)),
-        csv_(options.csv, csv_columns(),
+        csv_(options.csv, shadow_csv_columns(),
              {fmt::format("time: CPU time for one thread, wall time for several; median of {} rounds",
                           options.measure.round_count)}) {}
 
@@ -156,7 +156,7 @@ class ShadowsComparison {
   std::vector<std::string> names_;
   std::vector<ComparedIsa> isas_;
   CsvFile csv_;
-  const Columns columns_ = table_columns();
+  const Columns columns_ = shadow_table_columns();
 };
 
 void check(const ShadowsOptions& options) {

@@ -13,7 +13,7 @@
 namespace lkao::bvh {
 namespace {
 
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
+constexpr float kUpwards = std::numeric_limits<float>::infinity();
 
 // Lists the open rays, and rays without length up to a whole word of a mask. Returns the length of the longest.
 float pick_rays(PlacedRays& placed, float reach) {
@@ -69,7 +69,7 @@ glm::vec3 uncertainty(const Placement& placement, const glm::vec3& origin, float
     }
     const double rounding = 0x1p-24 * (std::fabs(double{placed_origin[axis]}) + double{placed_radius});
     result[axis] =
-        placement.displacement[axis] + std::nextafter(static_cast<float>(rounding + 0x1p-45 * sum), kInfinity);
+        placement.displacement[axis] + std::nextafter(static_cast<float>(rounding + 0x1p-45 * sum), kUpwards);
   }
   return result;
 }
@@ -94,8 +94,8 @@ bool place_rays(PlacedRays& placed, const Bounds& mesh) {
   placed.face_origins[0] = rays.origin + 1.0001f * off;
   placed.face_origins[1] = rays.origin - 1.0001f * off;
   for (int axis = 0; axis < 3; ++axis) {
-    placed.face_origins[0][axis] = std::nextafter(placed.face_origins[0][axis], kInfinity);
-    placed.face_origins[1][axis] = std::nextafter(placed.face_origins[1][axis], -kInfinity);
+    placed.face_origins[0][axis] = std::nextafter(placed.face_origins[0][axis], kUpwards);
+    placed.face_origins[1][axis] = std::nextafter(placed.face_origins[1][axis], -kUpwards);
   }
   return true;
 }

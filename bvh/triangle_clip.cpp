@@ -11,9 +11,9 @@
 namespace lkao::bvh {
 namespace {
 
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
+constexpr float kFarthest = std::numeric_limits<float>::infinity();
 // 0 on the axis.
-constexpr Lanes kOthers[3] = {{0, kInfinity, kInfinity, 0}, {kInfinity, 0, kInfinity, 0}, {kInfinity, kInfinity, 0, 0}};
+constexpr Lanes kOthers[3] = {{0, kFarthest, kFarthest, 0}, {kFarthest, 0, kFarthest, 0}, {kFarthest, kFarthest, 0, 0}};
 
 struct Corner {
   Corner() = default;

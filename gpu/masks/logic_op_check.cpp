@@ -14,8 +14,8 @@
 namespace lkao::gl {
 namespace {
 
-constexpr int kSize = 64;
-constexpr GLsizeiptr kPixelCount = GLsizeiptr{kSize} * kSize;
+constexpr int kDrawnSize = 64;
+constexpr GLsizeiptr kDrawnCount = GLsizeiptr{kDrawnSize} * kDrawnSize;
 using Mask = std::array<std::uint32_t, 4>;
 
 struct Rectangle {
@@ -41,11 +41,11 @@ std::vector<Rectangle> overlapping_rectangles() {
 }
 
 std::vector<Mask> draw_on_cpu(const std::vector<Rectangle>& rectangles) {
-  std::vector<Mask> pixels(kPixelCount);
+  std::vector<Mask> pixels(kDrawnCount);
   for (const Rectangle& r : rectangles) {
-    for (int y = r.y; y < std::min(r.y + r.height, kSize); ++y) {
-      for (int x = r.x; x < std::min(r.x + r.width, kSize); ++x) {
-        Mask& pixel = pixels[static_cast<std::size_t>(y * kSize + x)];
+    for (int y = r.y; y < std::min(r.y + r.height, kDrawnSize); ++y) {
+      for (int x = r.x; x < std::min(r.x + r.width, kDrawnSize); ++x) {
+        Mask& pixel = pixels[static_cast<std::size_t>(y * kDrawnSize + x)];
         for (std::size_t word = 0; word < 4; ++word) pixel[word] |= r.mask[word];
       }
     }
@@ -55,7 +55,7 @@ std::vector<Mask> draw_on_cpu(const std::vector<Rectangle>& rectangles) {
 
 std::vector<Mask> draw_by_logic_op(const std::vector<Rectangle>& rectangles) {
   MaskImages images;
-  images.make_room(kSize, kSize, 1, false);
+  images.make_room(kDrawnSize, kDrawnSize, 1, false);
   const ProgramObject program = make_program({"frame/screen.vert", "masks/fill.frag"});
   const VertexArray no_attributes = make_vertex_array();
   images.bind_masks();
@@ -70,8 +70,8 @@ std::vector<Mask> draw_by_logic_op(const std::vector<Rectangle>& rectangles) {
     glDrawArrays(GL_TRIANGLES, 0, 3);
   }
   glDisable(GL_COLOR_LOGIC_OP);
-  std::vector<Mask> pixels(kPixelCount);
-  glGetTextureImage(images.masks(), 0, GL_RGBA_INTEGER, GL_UNSIGNED_INT, GLsizei{kPixelCount * 16}, pixels.data());
+  std::vector<Mask> pixels(kDrawnCount);
+  glGetTextureImage(images.masks(), 0, GL_RGBA_INTEGER, GL_UNSIGNED_INT, GLsizei{kDrawnCount * 16}, pixels.data());
   check_errors("testing the logic op");
   return pixels;
 }

@@ -24,10 +24,10 @@
 namespace lkao::gl {
 namespace {
 
-constexpr GLenum kTextureTargets[] = {GL_TEXTURE_2D, GL_TEXTURE_2D, GL_TEXTURE_2D, GL_TEXTURE_2D, GL_TEXTURE_2D};
-static_assert(std::size(kTextureTargets) == LKAO_FILTER_UNIT_COUNT);
+constexpr GLenum kFilterTargets[] = {GL_TEXTURE_2D, GL_TEXTURE_2D, GL_TEXTURE_2D, GL_TEXTURE_2D, GL_TEXTURE_2D};
+static_assert(std::size(kFilterTargets) == LKAO_FILTER_UNIT_COUNT);
 constexpr StateUse kUse{
-    .texture_targets = kTextureTargets, .image_count = LKAO_FRAME_IMAGE_COUNT, .block_count = LKAO_BLOCK_COUNT};
+    .texture_targets = kFilterTargets, .image_count = LKAO_FRAME_IMAGE_COUNT, .block_count = LKAO_BLOCK_COUNT};
 
 void check(const BilateralFilterOptions& options) {
   lut::require(options.radius >= 1 && options.radius <= 16, "radius", "from 1 to 16", options.radius);

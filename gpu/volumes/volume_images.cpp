@@ -18,7 +18,7 @@ Texture make_image(GLenum format, int width, int height) {
   return texture;
 }
 
-GLenum format_of(Accessibility format) {
+GLenum image_format_of(Accessibility format) {
   switch (format) {
     case Accessibility::bits8:
       return GL_R8;
@@ -62,7 +62,7 @@ void VolumeImages::allocate(int width, int height, Accessibility format, bool wi
   axes_ = make_image(GL_RGBA32F, width, height);
   if (with_ups) ups_ = make_image(GL_RGBA32F, width, height);
   depth_ = make_image(GL_DEPTH_COMPONENT32F, width, height);
-  accessibility_ = make_image(format_of(format), width, height);
+  accessibility_ = make_image(image_format_of(format), width, height);
   receivers_framebuffer_ = make_framebuffer();
   accessibility_framebuffer_ = make_framebuffer();
   const std::array<GLenum, 3> attachments = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1, GL_COLOR_ATTACHMENT2};

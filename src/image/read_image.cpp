@@ -10,16 +10,16 @@
 namespace lkao::image {
 namespace {
 
-[[noreturn]] void fail(const std::string& path, const std::string& reason) {
+[[noreturn]] void fail_to_read(const std::string& path, const std::string& reason) {
   throw std::runtime_error(fmt::format("cannot read '{}': {}", path, reason));
 }
 
 void check_file(const std::string& path) {
   std::error_code error;
-  if (!std::filesystem::exists(path, error)) fail(path, "there is no such file");
-  if (std::filesystem::is_directory(path, error)) fail(path, "is a directory");
+  if (!std::filesystem::exists(path, error)) fail_to_read(path, "there is no such file");
+  if (std::filesystem::is_directory(path, error)) fail_to_read(path, "is a directory");
   const std::string damage = find_png_damage(path);
-  if (!damage.empty()) fail(path, damage);
+  if (!damage.empty()) fail_to_read(path, damage);
 }
 
 }  // namespace
@@ -31,7 +31,7 @@ Image read_image(const std::string& path) {
 
 Image decode_image(const std::string& path, std::string_view bytes) {
   const std::string damage = find_png_damage_in(bytes);
-  if (!damage.empty()) fail(path, damage);
+  if (!damage.empty()) fail_to_read(path, damage);
   return codec().decode(path, bytes);
 }
 

@@ -105,18 +105,18 @@ class Simplification {
 
   // The parts in their order, over the vertices that are left, each once.
   void gather_level(std::size_t goal) {
-    constexpr std::uint32_t kNone = 0xffffffffu;
+    constexpr std::uint32_t kNoNumber = 0xffffffffu;
     scene::Mesh& mesh = result_.chain.levels[goal + 1].mesh;
     mesh.origin = result_.chain.levels[0].mesh.origin;
     LevelReport& report = result_.report.levels[goal + 1];
-    std::vector<std::uint32_t> number(scene_.positions.size(), kNone);
+    std::vector<std::uint32_t> number(scene_.positions.size(), kNoNumber);
     for (std::size_t p = 0; p < results_.size(); ++p) {
       const PartLevel& level = results_[p].levels[goal];
       for (const SimplifiedTriangle& triangle : level.triangles) {
         glm::uvec3 corners{};
         for (int i = 0; i < 3; ++i) {
           const std::uint32_t vertex = scene_.parts[p].scene_vertices[triangle.corners[i]];
-          if (number[vertex] == kNone) {
+          if (number[vertex] == kNoNumber) {
             number[vertex] = static_cast<std::uint32_t>(mesh.positions.size());
             mesh.positions.push_back(scene_.positions[vertex]);
           }

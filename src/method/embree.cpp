@@ -10,11 +10,11 @@
 namespace lkao::method {
 namespace {
 
-Abilities abilities(const Settings&) { return {.levels = false, .lights = true, .holes = true}; }
+Abilities embree_abilities(const Settings&) { return {.levels = false, .lights = true, .holes = true}; }
 
 class Embree : public Method {
  public:
-  explicit Embree(const Settings& settings) : Method(method::abilities(settings)), kernel_(kernel_of(settings)) {}
+  explicit Embree(const Settings& settings) : Method(embree_abilities(settings)), kernel_(kernel_of(settings)) {}
 
   void prepare(const Task& task) override {
     const Question& question = task.question;
@@ -61,7 +61,7 @@ MethodKind embree_kind() {
   return {
       .summary = "the same rays one by one, through Embree",
       .settings = {&kernel_setting()},  // of the traversal that it is checked against
-      .abilities = abilities,
+      .abilities = embree_abilities,
       .open = [](const Settings& settings) -> std::unique_ptr<Method> { return std::make_unique<Embree>(settings); }};
 }
 

@@ -17,12 +17,12 @@ const Setting& masks_setting() {
   return setting;
 }
 
-Abilities abilities(const Settings&) { return {.infinite_lengths = false, .any_receivers = false}; }
+Abilities mask_abilities(const Settings&) { return {.infinite_lengths = false, .any_receivers = false}; }
 
 class Masks : public Method {
  public:
   explicit Masks(const Settings& settings)
-      : Method(method::abilities(settings)),
+      : Method(mask_abilities(settings)),
         masks_(settings.value(masks_setting(), kPlaneMaskWords)),
         rasterizer_(prepare_device(settings)) {}
 
@@ -88,7 +88,7 @@ MethodKind masks_kind() {
   return {
       .summary = "OpenGL, which rasterises what occluders can darken",
       .settings = {&device_setting(), &masks_setting()},
-      .abilities = abilities,
+      .abilities = mask_abilities,
       .open = [](const Settings& settings) -> std::unique_ptr<Method> { return std::make_unique<Masks>(settings); }};
 }
 

@@ -101,7 +101,7 @@ const Setting& rounds_setting() {
   return setting;
 }
 
-const Setting& epsilon_setting() {
+const Setting& edge_epsilon_setting() {
   static const Setting setting{.name = "epsilon",
                                .help = "What a sphere of the far half blocks where it ends; this says how far that is",
                                .values = Range{1e-6, 1},
@@ -125,7 +125,7 @@ const Setting& inside_setting() {
   return setting;
 }
 
-Abilities abilities(const Settings&) {
+Abilities splat_abilities(const Settings&) {
   return {.masks = false,
           .bent_normals = false,
           .levels = false,
@@ -146,7 +146,7 @@ double diagonal_of(const scene::Mesh& mesh) {
 class Splat : public Method {
  public:
   explicit Splat(const Settings& settings)
-      : Method(method::abilities(settings)),
+      : Method(splat_abilities(settings)),
         halves_(settings.value(halves_setting(), kHalvesWords)),
         layer_count_(settings.value(layers_setting(), kLayerWords)),
         near_share_(settings.number(near_share_setting())),
@@ -159,7 +159,7 @@ class Splat : public Method {
     options_.density = settings.value(near_density_setting(), kDensityWords);
     options_.max_sample_count = whole(settings, near_samples_setting());
     options_.pixel_sphere_radius = static_cast<float>(settings.number(pixel_sphere_setting()));
-    options_.epsilon = static_cast<float>(settings.number(epsilon_setting()));
+    options_.epsilon = static_cast<float>(settings.number(edge_epsilon_setting()));
     options_.formula = settings.value(formula_setting(), kFormulaWords);
     options_.inside = settings.value(inside_setting(), kInsideWords);
   }
@@ -265,8 +265,9 @@ MethodKind splat_kind() {
       .summary = "OpenGL, spheres of the pixels and of the scene",
       .settings = {&device_setting(), &halves_setting(), &near_share_setting(), &layers_setting(),
                    &near_samples_setting(), &near_rate_setting(), &near_density_setting(), &pixel_sphere_setting(),
-                   &spheres_setting(), &rounds_setting(), &epsilon_setting(), &formula_setting(), &inside_setting()},
-      .abilities = abilities,
+                   &spheres_setting(), &rounds_setting(), &edge_epsilon_setting(), &formula_setting(),
+                   &inside_setting()},
+      .abilities = splat_abilities,
       .open = [](const Settings& settings) -> std::unique_ptr<Method> { return std::make_unique<Splat>(settings); }};
 }
 

@@ -15,7 +15,7 @@ constexpr Word<gl::VaoCulling> kCullingWords[] = {
     {"off", gl::VaoCulling::off}, {"greedy", gl::VaoCulling::greedy}, {"careful", gl::VaoCulling::careful}};
 constexpr int kConvergedCount = 4096;
 
-const Setting& samples_setting() {
+const Setting& sample_count_setting() {
   static const Setting setting =
       word_setting("vao-samples", "Line samples a pixel, at most", kSizeWords, gl::VaoOptions().sample_count);
   return setting;
@@ -39,7 +39,7 @@ const Setting& culling_setting() {
   return setting;
 }
 
-const Setting& thickness_setting() {
+const Setting& sample_thickness_setting() {
   static const Setting setting{.name = "vao-thickness",
                                .help = "How thick what is seen is taken to be, in AO radii: u of the depth range check",
                                .values = Range{0, 1e6},
@@ -56,12 +56,12 @@ const Setting& width_setting() {
 class Vao : public ScreenMethod {
  public:
   explicit Vao(const Settings& settings)
-      : ScreenMethod(settings, screen_abilities(), {&samples_setting(), &fewest_setting(), &culling_setting()}),
+      : ScreenMethod(settings, screen_abilities(), {&sample_count_setting(), &fewest_setting(), &culling_setting()}),
         width_(static_cast<float>(settings.number(width_setting()))) {
-    options_.sample_count = is_converged() ? kConvergedCount : settings.value(samples_setting(), kSizeWords);
+    options_.sample_count = is_converged() ? kConvergedCount : settings.value(sample_count_setting(), kSizeWords);
     options_.fewest_samples_width = static_cast<float>(settings.number(fewest_setting()));
     options_.culling = is_converged() ? gl::VaoCulling::off : settings.value(culling_setting(), kCullingWords);
-    options_.thickness = static_cast<float>(settings.number(thickness_setting()));
+    options_.thickness = static_cast<float>(settings.number(sample_thickness_setting()));
   }
 
  protected:
@@ -105,8 +105,8 @@ class Vao : public ScreenMethod {
 
 MethodKind vao_kind() {
   return {.summary = "OpenGL, how much of a ball on the surface is free of what is seen (VAO++)",
-          .settings = screen_settings(
-              {&samples_setting(), &fewest_setting(), &culling_setting(), &thickness_setting(), &width_setting()}),
+          .settings = screen_settings({&sample_count_setting(), &fewest_setting(), &culling_setting(),
+                                       &sample_thickness_setting(), &width_setting()}),
           .abilities = [](const Settings&) { return screen_abilities(); },
           .open = [](const Settings& settings) -> std::unique_ptr<Method> { return std::make_unique<Vao>(settings); }};
 }

@@ -72,7 +72,7 @@ const Setting& sparse_setting() {
   return setting;
 }
 
-Abilities abilities(const Settings&) {
+Abilities volumes_abilities(const Settings&) {
   return {.masks = false,
           .bent_normals = false,
           .levels = false,
@@ -88,7 +88,7 @@ Abilities abilities(const Settings&) {
 class VolumesMethod : public Method {
  public:
   explicit VolumesMethod(const Settings& settings)
-      : Method(method::abilities(settings)), settings_(settings), rasterizer_(prepare_device(settings)) {
+      : Method(volumes_abilities(settings)), settings_(settings), rasterizer_(prepare_device(settings)) {
     options_.clamps_extensions = settings_.value(clamp_setting(), kClampWords);
     if (settings_.value(compensation_setting(), kCompensationWords)) options_.compensation = gl::kFittedCompensation;
   }
@@ -190,7 +190,7 @@ MethodKind volumes_kind() {
           .settings = {&device_setting(), &delta_setting(), &clamp_setting(), &accessibility_setting(),
                        &compensation_setting(), &opacity_setting(), &volumes_setting(), &geometry_setting(),
                        &sparse_setting()},
-          .abilities = abilities,
+          .abilities = volumes_abilities,
           .open = [](const Settings& settings) -> std::unique_ptr<Method> {
             return std::make_unique<VolumesMethod>(settings);
           }};

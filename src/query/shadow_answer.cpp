@@ -12,8 +12,8 @@
 namespace lkao::query {
 
 LightVisibility make_shadow_answer(bool is_valid, const ReceiverRays& rays, const OcclusionMask& blocked) {
-  constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
-  if (!is_valid) return {kNaN, kNaN, {}};
+  constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
+  if (!is_valid) return {kUnknown, kUnknown, {}};
   const int cast_count = ray_count_of(rays.cast, rays), seen_count = cast_count - ray_count_of(blocked, rays);
   const auto share = [&](int some) { return static_cast<float>(some) / static_cast<float>(rays.ray_count); };
   return {share(seen_count), share(cast_count), blocked};

@@ -6,8 +6,6 @@ namespace lkao::scene {
 
 namespace {
 
-constexpr double kSink = kAtriumSink;
-
 // The same profile with rounder corners: every corner cut twice (Chaikin's scheme); the ends stay.
 std::vector<glm::dvec2> rounded(std::vector<glm::dvec2> profile) {
   for (int step = 0; step < 2; ++step) {
@@ -25,14 +23,14 @@ std::vector<glm::dvec2> rounded(std::vector<glm::dvec2> profile) {
 void add_bench(Mesh& mesh, double x, double z) {
   add_box(mesh, {x - 0.9, 0.4, z - 0.24}, {x + 0.9, 0.5, z + 0.24});
   for (double leg : {-0.62, 0.62}) {
-    add_box(mesh, {x + leg - 0.09, -kSink, z - 0.17}, {x + leg + 0.09, 0.41, z + 0.17});
+    add_box(mesh, {x + leg - 0.09, -kAtriumSink, z - 0.17}, {x + leg + 0.09, 0.41, z + 0.17});
   }
 }
 
 // A round basin in the middle of the nave: a step, a bowl with water-smooth bottom, a stem with a cup.
 void add_basin(Mesh& mesh) {
   const glm::dvec3 base(-1.9, 0, 0);
-  std::vector<glm::dvec2> step = {{1.75, -kSink}, {1.75, 0.1}, {1.7, 0.14}, {1.0, 0.14}};
+  std::vector<glm::dvec2> step = {{1.75, -kAtriumSink}, {1.75, 0.1}, {1.7, 0.14}, {1.0, 0.14}};
   add_revolved(mesh, base, step, 96);
   std::vector<glm::dvec2> bowl = {{1.38, 0.12}, {1.38, 0.2}, {1.3, 0.24}, {1.3, 0.5}, {1.36, 0.55}};
   add_bulge(bowl, 1.38, 0.56, 0.68, 8);
@@ -70,11 +68,12 @@ void add_urn(Mesh& mesh, const glm::dvec3& base, double scale) {
                                     {0.2, 0.72},  {0.26, 0.6},  {0.25, 0.45}, {0.14, 0.34}, {0, 0.3}};
   std::vector<glm::dvec2> profile;
   for (const auto& p : kProfile) profile.emplace_back(scale * p[0], scale * p[1]);
-  add_revolved(mesh, base - glm::dvec3(0, kSink, 0), rounded(profile), 40);
+  add_revolved(mesh, base - glm::dvec3(0, kAtriumSink, 0), rounded(profile), 40);
 }
 
 void add_pedestal(Mesh& mesh, const glm::dvec3& base, double half, double height) {
-  add_box(mesh, base - glm::dvec3(half + 0.08, kSink, half + 0.08), base + glm::dvec3(half + 0.08, 0.12, half + 0.08));
+  add_box(mesh, base - glm::dvec3(half + 0.08, kAtriumSink, half + 0.08),
+          base + glm::dvec3(half + 0.08, 0.12, half + 0.08));
   add_box(mesh, base + glm::dvec3(-half, 0.1, -half), base + glm::dvec3(half, height - 0.1, half));
   add_box(mesh, base + glm::dvec3(-half - 0.06, height - 0.12, -half - 0.06),
           base + glm::dvec3(half + 0.06, height, half + 0.06));

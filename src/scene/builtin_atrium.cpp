@@ -27,7 +27,6 @@ constexpr double kAisleCeiling = 6.5;
 constexpr double kWallHeight = 11.6;
 constexpr double kPlatform = 0.9;  // height of the floor behind the steps
 constexpr double kFoot = -0.1;     // of the walls, below the floor's grooves
-constexpr double kSink = kAtriumSink;
 
 double column_x(int column) { return (column - (kColumnCount - 1) / 2) * kBay; }
 
@@ -49,7 +48,7 @@ void add_column(Mesh& mesh, double x, double z, double floor) {
   const double height = kArcadeSpring - floor;
   const double capital = height - 0.75;
   const glm::dvec3 base(x, floor, z);
-  add_box(mesh, base + glm::dvec3(-0.58, -kSink, -0.58), base + glm::dvec3(0.58, 0.22, 0.58));
+  add_box(mesh, base + glm::dvec3(-0.58, -kAtriumSink, -0.58), base + glm::dvec3(0.58, 0.22, 0.58));
   // Base: two tori with a hollow between.
   std::vector<glm::dvec2> profile = {{0.5, 0.2}};
   add_bulge(profile, 0.46, 0.22, 0.36, 8);
@@ -122,14 +121,14 @@ void add_arcade(Mesh& mesh, double z) {
     add_soffit(mesh, opening, 2 * kWallHalfDepth, kSegments, through);
   }
   // Two ledges on the nave's side: a thin one over the arches, and the cornice on which the vault stands.
-  const double face = z + direction * (kWallHalfDepth - kSink);
+  const double face = z + direction * (kWallHalfDepth - kAtriumSink);
   const glm::dvec3 off(0, 0, direction);
   const std::vector<glm::dvec2> thin = {{0, 0}, {0.08, 0.02}, {0.1, 0.1}, {0.16, 0.13}, {0.16, 0.2}, {0, 0.24}};
   const std::vector<glm::dvec2> cornice = {{0, -0.5},    {0.1, -0.46}, {0.1, -0.36},  {0.18, -0.33}, {0.22, -0.25},
                                            {0.32, -0.2}, {0.32, -0.1}, {0.42, -0.06}, {0.42, 0.04},  {0, 0.08}};
   const auto add_ledge = [&](std::vector<glm::dvec2> profile, double y) {
     // Sweeping along +x keeps fronts outside for off = -z; the other row is swept the other way.
-    const double end = direction > 0 ? -kHalfLength - kSink : kHalfLength + kSink;
+    const double end = direction > 0 ? -kHalfLength - kAtriumSink : kHalfLength + kAtriumSink;
     add_swept(mesh, straight({end, y, face}, {-end, y, face}, off), profile);
   };
   add_ledge(thin, 6.2);
@@ -245,10 +244,11 @@ void add_outer_wall(Mesh& mesh, double z_sign) {
   add_quad(mesh, place(-kHalfLength, kLedge, 0), place(kHalfLength, kLedge, 0), place(kHalfLength, kWallHeight, 0),
            place(-kHalfLength, kWallHeight, 0));
   const std::vector<glm::dvec2> ledge = {{0, -0.14}, {0.1, -0.1}, {0.12, 0}, {0.2, 0.04}, {0.2, 0.13}, {0, 0.17}};
-  const std::vector<glm::dvec2> skirting = {{0, -kSink}, {0.12, -kSink}, {0.12, 0.3}, {0.05, 0.38}, {0, 0.4}};
+  const std::vector<glm::dvec2> skirting = {
+      {0, -kAtriumSink}, {0.12, -kAtriumSink}, {0.12, 0.3}, {0.05, 0.38}, {0, 0.4}};
   const glm::dvec3 off(0, 0, -z_sign);
-  const double z = z_sign * (kHalfWidth + kSink);
-  const double end = z_sign * (kHalfLength + kSink);
+  const double z = z_sign * (kHalfWidth + kAtriumSink);
+  const double end = z_sign * (kHalfLength + kAtriumSink);
   add_swept(mesh, straight({end, kLedge, z}, {-end, kLedge, z}, off), ledge);
   add_swept(mesh, straight({end, 0, z}, {-end, 0, z}, off), skirting);
 }
@@ -259,13 +259,13 @@ void add_end_walls(Mesh& mesh) {
            {-kHalfLength, kWallHeight, -kHalfWidth}, {-kHalfLength, kWallHeight, kHalfWidth});
   // Ahead: the apse, a niche as high as the nave, with a ring around its arch.
   const Placement place = [](double u, double v, double h) { return glm::dvec3(kHalfLength - h, v, u); };
-  const ArchedOpening apse{0, 2.45, kPlatform - kSink, 5.2};
+  const ArchedOpening apse{0, 2.45, kPlatform - kAtriumSink, 5.2};
   add_arched_panel(mesh, {-kHalfWidth, kFoot}, {kHalfWidth, kWallHeight}, apse, 64, place);
   add_niche(mesh, apse, 64, place);
   add_archivolt(mesh, apse, 0.04, 0.34, 0.1, place);
   add_archivolt(mesh, apse, 0.2, 0.28, 0.15, place);
   for (double z : {-2.72, 2.72}) {
-    add_box(mesh, {kHalfLength - 0.1, kPlatform - kSink, z - 0.16}, {kHalfLength + 0.05, 5.25, z + 0.16});
+    add_box(mesh, {kHalfLength - 0.1, kPlatform - kAtriumSink, z - 0.16}, {kHalfLength + 0.05, 5.25, z + 0.16});
     add_box(mesh, {kHalfLength - 0.17, 5.0, z - 0.22}, {kHalfLength + 0.05, 5.21, z + 0.22});
   }
   add_pedestal(mesh, {kHalfLength + 0.5, kPlatform, 0}, 0.55, 1.2);
@@ -307,7 +307,7 @@ void add_steps(Mesh& mesh) {
     const double x = 12.05 + 0.4 * i;
     const double top = kPlatform * (i + 1) / kStepCount;
     // A tread with a nosing over the riser; its ends are in the walls.
-    const double in_wall = kSink + 0.005 * i;
+    const double in_wall = kAtriumSink + 0.005 * i;
     add_box(mesh, {x, -0.1 - in_wall, -kHalfWidth - in_wall},
             {kHalfLength + in_wall, top - 0.05, kHalfWidth + in_wall});
     add_box(mesh, {x - 0.05, top - 0.06, -kHalfWidth - in_wall - 0.03},

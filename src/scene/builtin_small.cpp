@@ -47,27 +47,27 @@ Mesh make_wall() {
 }
 
 Mesh make_disk() {
-  constexpr int kSideCount = 512;
+  constexpr int kDiskSideCount = 512;
   Mesh mesh;
   add_floor(mesh, 10);
   const auto center = static_cast<std::uint32_t>(mesh.positions.size());
   mesh.positions.emplace_back(0, 1, 0);
-  for (int i = 0; i < kSideCount; ++i) {
-    const glm::dvec2 p = equal_area_radius(kSideCount) * unit_circle(static_cast<double>(i) / kSideCount);
+  for (int i = 0; i < kDiskSideCount; ++i) {
+    const glm::dvec2 p = equal_area_radius(kDiskSideCount) * unit_circle(static_cast<double>(i) / kDiskSideCount);
     mesh.positions.emplace_back(glm::dvec3(p.x, 1, p.y));
   }
   // Front down, towards the floor.
-  for (std::uint32_t i = 0; i < kSideCount; ++i) {
-    mesh.triangles.emplace_back(center, center + 1 + i, center + 1 + (i + 1) % kSideCount);
+  for (std::uint32_t i = 0; i < kDiskSideCount; ++i) {
+    mesh.triangles.emplace_back(center, center + 1 + i, center + 1 + (i + 1) % kDiskSideCount);
   }
   return mesh;
 }
 
 Mesh make_sphere() {
-  constexpr int kSegmentCount = 256;
+  constexpr int kSphereSegmentCount = 256;
   Mesh mesh;
   add_floor(mesh, 10);
-  add_sphere(mesh, {0, 2, 0}, equal_area_radius(kSegmentCount), kSegmentCount, kSegmentCount / 2);
+  add_sphere(mesh, {0, 2, 0}, equal_area_radius(kSphereSegmentCount), kSphereSegmentCount, kSphereSegmentCount / 2);
   return mesh;
 }
 

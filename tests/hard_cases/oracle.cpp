@@ -18,7 +18,7 @@ constexpr double kRounding = 16 * 0x1p-53;
 
 double norm(const glm::dvec3& v) { return std::fabs(v.x) + std::fabs(v.y) + std::fabs(v.z); }
 
-bool is_finite(const glm::vec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
+bool is_finite_corner(const glm::vec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
 
 int sign_of(double value) { return value > 0 ? 1 : value < 0 ? -1 : 0; }
 
@@ -110,7 +110,7 @@ Oracle::Oracle(const TriangleMesh& mesh, Sidedness sidedness) : mesh_(mesh), sid
   for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
     const glm::uvec3 t = mesh.triangles[i];
     const glm::vec3 a = mesh.positions[t.x], b = mesh.positions[t.y], c = mesh.positions[t.z];
-    if (!is_finite(a) || !is_finite(b) || !is_finite(c)) continue;
+    if (!is_finite_corner(a) || !is_finite_corner(b) || !is_finite_corner(c)) continue;
     if (has_exactly_zero_area(a, b, c)) {
       ++zero_area_count_;
       continue;

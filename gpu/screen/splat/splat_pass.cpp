@@ -35,13 +35,13 @@ static_assert(std::size(kTargets) == LKAO_SPLAT_UNIT_COUNT);
 constexpr StateUse kSplatUse{
     .texture_targets = kTargets, .image_count = 2, .block_count = LKAO_BLOCK_COUNT, .draws = true, .blends = true};
 
-constexpr double kLargest = LKAO_LARGEST_COORDINATE;
+constexpr double kLargestRadius = LKAO_LARGEST_COORDINATE;
 
 void check(const SplatOptions& options) {
   if (options.near_half) {
     const float share = options.pixel_sphere_radius;
-    lut::require(options.near_radius > 0 && options.near_radius <= kLargest, "near_radius", "above 0, at most 1e18",
-                 options.near_radius);
+    lut::require(options.near_radius > 0 && options.near_radius <= kLargestRadius, "near_radius",
+                 "above 0, at most 1e18", options.near_radius);
     lut::require(options.samples_per_pixel >= 0, "samples_per_pixel", "at least 0", options.samples_per_pixel);
     lut::require(options.max_sample_count >= 1 && options.max_sample_count <= 16384, "max_sample_count",
                  "from 1 to 16384", options.max_sample_count);
@@ -77,7 +77,7 @@ SplatBlock make_block(const SplatOptions& options, int layer_count) {
   block.reach = options.far_half ? sphere_reach(options.epsilon, options.formula) : 0.0f;
   block.far_begin = has_both ? options.near_radius : 0.0f;
   // Beyond all that is usable; squares and sums of it are no concern of shaders.
-  block.far_end = std::min(options.far_radius, static_cast<float>(4 * kLargest));
+  block.far_end = std::min(options.far_radius, static_cast<float>(4 * kLargestRadius));
   block.fade_begin = options.inside == InsideSphere::faded ? 2.0f : 0.0f;
   block.blocks_inside = options.inside == InsideSphere::everything;
   return block;

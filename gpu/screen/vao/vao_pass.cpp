@@ -40,9 +40,9 @@
 namespace lkao::gl {
 namespace {
 
-constexpr GLenum kTargets[] = {GL_TEXTURE_2D,       GL_TEXTURE_2D, GL_TEXTURE_2D, GL_TEXTURE_2D,
-                               GL_TEXTURE_2D_ARRAY, GL_TEXTURE_2D, GL_TEXTURE_2D};
-static_assert(std::size(kTargets) == LKAO_VAO_UNIT_COUNT);
+constexpr GLenum kVaoTargets[] = {GL_TEXTURE_2D,       GL_TEXTURE_2D, GL_TEXTURE_2D, GL_TEXTURE_2D,
+                                  GL_TEXTURE_2D_ARRAY, GL_TEXTURE_2D, GL_TEXTURE_2D};
+static_assert(std::size(kVaoTargets) == LKAO_VAO_UNIT_COUNT);
 
 constexpr int kLargestSet = kSampleSetSizes.back();
 
@@ -167,7 +167,7 @@ struct VaoPass::State {
         find_occlusion(make_program({"screen/vao/vao.comp"}, {{"LKAO_COUNT", wanted.count}})) {}
 
   StateUse use() const {
-    return {.texture_targets = kTargets,
+    return {.texture_targets = kVaoTargets,
             .image_count = LKAO_VAO_IMAGE_COUNT,
             .block_count = LKAO_BLOCK_COUNT,
             .counts = setup.count};
