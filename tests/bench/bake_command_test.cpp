@@ -6,7 +6,7 @@
 
 #include "cli/program.h"
 
-namespace lkao::test {
+namespace lkao::test::bake_command_test {
 namespace {
 
 class BakeCommand : public ProgramTest {};
@@ -28,4 +28,4 @@ TEST_F(BakeCommand, BadInputIsOneLine) {
 }
 
 }  // namespace
-}  // namespace lkao::test
+}  // namespace lkao::test::bake_command_test

@@ -9,7 +9,7 @@
 
 #include "cli/program.h"
 
-namespace lkao::test {
+namespace lkao::test::build_command_test {
 namespace {
 
 struct Row {
@@ -109,4 +109,4 @@ TEST_F(BuildCommand, BadInputIsOneLine) {
 }
 
 }  // namespace
-}  // namespace lkao::test
+}  // namespace lkao::test::build_command_test

@@ -9,7 +9,7 @@
 
 #include "cli/program.h"
 
-namespace lkao::test {
+namespace lkao::test::lod_command_test {
 namespace {
 
 struct Row {
@@ -60,4 +60,4 @@ TEST_F(LodCommand, ComparesEveryVariantWithTheScene) {
 }
 
 }  // namespace
-}  // namespace lkao::test
+}  // namespace lkao::test::lod_command_test

@@ -6,7 +6,7 @@
 
 #include "cli/program.h"
 
-namespace lkao::test {
+namespace lkao::test::patterns_command_test {
 namespace {
 
 class PatternsCommand : public ProgramTest {};
@@ -31,4 +31,4 @@ TEST_F(PatternsCommand, BadInputIsOneLine) {
 }
 
 }  // namespace
-}  // namespace lkao::test
+}  // namespace lkao::test::patterns_command_test

@@ -8,7 +8,7 @@
 
 #include "cli/program.h"
 
-namespace lkao::test {
+namespace lkao::test::raster_command_test {
 namespace {
 
 struct Row {
@@ -108,4 +108,4 @@ TEST_F(RasterCommand, BadInputIsOneLine) {
 }
 
 }  // namespace
-}  // namespace lkao::test
+}  // namespace lkao::test::raster_command_test

@@ -16,7 +16,7 @@
 #include "cli/program.h"
 #include "lkao/isa.h"
 
-namespace lkao::test {
+namespace lkao::test::rays_command_test {
 namespace {
 
 constexpr int kEmbreeModeCount = 10;
@@ -268,4 +268,4 @@ TEST_F(RaysCommand, BadViewsAreOneLine) {
 }
 
 }  // namespace
-}  // namespace lkao::test
+}  // namespace lkao::test::rays_command_test

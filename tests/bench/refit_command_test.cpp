@@ -8,7 +8,7 @@
 
 #include "cli/program.h"
 
-namespace lkao::test {
+namespace lkao::test::refit_command_test {
 namespace {
 
 class RefitCommand : public ProgramTest {};
@@ -43,4 +43,4 @@ TEST_F(RefitCommand, BadInputIsOneLine) {
 }
 
 }  // namespace
-}  // namespace lkao::test
+}  // namespace lkao::test::refit_command_test

@@ -13,7 +13,7 @@
 #include "bench/report/errors.h"
 #include "cli/program.h"
 
-namespace lkao::test {
+namespace lkao::test::report_command_test {
 namespace {
 
 using bench::errors_of, bench::PictureErrors;
@@ -186,4 +186,4 @@ TEST_F(ReportCommand, BadInputIsOneLine) {
 }
 
 }  // namespace
-}  // namespace lkao::test
+}  // namespace lkao::test::report_command_test

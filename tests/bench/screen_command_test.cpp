@@ -9,7 +9,7 @@
 
 #include "cli/program.h"
 
-namespace lkao::test {
+namespace lkao::test::screen_command_test {
 namespace {
 
 using Row = std::map<std::string, std::string>;  // by column
@@ -84,4 +84,4 @@ TEST_F(ScreenCommand, BadInputIsOneLine) {
 }
 
 }  // namespace
-}  // namespace lkao::test
+}  // namespace lkao::test::screen_command_test

@@ -11,7 +11,7 @@
 #include "cli/program.h"
 #include "lkao/isa.h"
 
-namespace lkao::test {
+namespace lkao::test::shadows_command_test {
 namespace {
 
 class ShadowsCommand : public ProgramTest {
@@ -78,4 +78,4 @@ TEST_F(ShadowsCommand, NamesBadOptions) {
 }
 
 }  // namespace
-}  // namespace lkao::test
+}  // namespace lkao::test::shadows_command_test

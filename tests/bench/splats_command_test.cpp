@@ -9,7 +9,7 @@
 
 #include "cli/program.h"
 
-namespace lkao::test {
+namespace lkao::test::splats_command_test {
 namespace {
 
 class SplatsCommand : public ProgramTest {
@@ -60,4 +60,4 @@ TEST_F(SplatsCommand, BadInputIsOneLine) {
 }
 
 }  // namespace
-}  // namespace lkao::test
+}  // namespace lkao::test::splats_command_test

@@ -6,7 +6,7 @@
 
 #include "cli/program.h"
 
-namespace lkao::test {
+namespace lkao::test::spread_command_test {
 namespace {
 
 using testing::ContainsRegex;
@@ -84,4 +84,4 @@ TEST_F(SpreadCommand, BadInputIsOneLine) {
 }
 
 }  // namespace
-}  // namespace lkao::test
+}  // namespace lkao::test::spread_command_test

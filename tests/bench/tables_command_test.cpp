@@ -6,7 +6,7 @@
 
 #include "cli/program.h"
 
-namespace lkao::test {
+namespace lkao::test::tables_command_test {
 namespace {
 
 class TablesCommand : public ProgramTest {};
@@ -33,4 +33,4 @@ TEST_F(TablesCommand, BadInputIsOneLine) {
 }
 
 }  // namespace
-}  // namespace lkao::test
+}  // namespace lkao::test::tables_command_test

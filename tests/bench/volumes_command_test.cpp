@@ -9,7 +9,7 @@
 
 #include "cli/program.h"
 
-namespace lkao::test {
+namespace lkao::test::volumes_command_test {
 namespace {
 
 class VolumesCommand : public ProgramTest {
@@ -67,4 +67,4 @@ TEST_F(VolumesCommand, BadInputIsOneLine) {
 }
 
 }  // namespace
-}  // namespace lkao::test
+}  // namespace lkao::test::volumes_command_test

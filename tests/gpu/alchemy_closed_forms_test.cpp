@@ -14,7 +14,7 @@
 #include "gpu/on_software.h"
 #include "support/meshes.h"
 
-namespace lkao::gl::tests {
+namespace lkao::gl::tests::alchemy_closed_forms_test {
 namespace {
 
 using lkao::tests::add_quad;
@@ -233,4 +233,4 @@ TEST_F(AlchemyOfShapes, GapsBeyondTheRadiusStayOpen) {
 }
 
 }  // namespace
-}  // namespace lkao::gl::tests
+}  // namespace lkao::gl::tests::alchemy_closed_forms_test

@@ -13,7 +13,7 @@
 #include "gpu/on_software.h"
 #include "support/sanitized.h"
 
-namespace lkao::gl::tests {
+namespace lkao::gl::tests::alchemy_definition_test {
 namespace {
 
 constexpr int kWidth = 40;
@@ -228,4 +228,4 @@ TEST_F(AlchemyOfPixels, TakesABandLessForEachHalvingOfTheDisc) {
 }
 
 }  // namespace
-}  // namespace lkao::gl::tests
+}  // namespace lkao::gl::tests::alchemy_definition_test

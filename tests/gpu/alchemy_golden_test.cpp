@@ -13,7 +13,7 @@
 #include "gpu/golden_picture.h"
 #include "gpu/on_software.h"
 
-namespace lkao::gl::tests {
+namespace lkao::gl::tests::alchemy_golden_test {
 namespace {
 
 constexpr int kWidth = 96;
@@ -53,4 +53,4 @@ TEST_F(AlchemyGolden, IsDrawn) {
 }
 
 }  // namespace
-}  // namespace lkao::gl::tests
+}  // namespace lkao::gl::tests::alchemy_golden_test

@@ -18,7 +18,7 @@
 #include "gpu/pass_scene.h"
 #include "support/sanitized.h"
 
-namespace lkao::gl::tests {
+namespace lkao::gl::tests::alchemy_pass_test {
 namespace {
 
 using testing::Each;
@@ -295,4 +295,4 @@ TEST_F(Alchemy, IsDrawnWithoutExceptions) {
 }
 
 }  // namespace
-}  // namespace lkao::gl::tests
+}  // namespace lkao::gl::tests::alchemy_pass_test

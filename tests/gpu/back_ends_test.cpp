@@ -11,7 +11,7 @@
 #include "gpu/mesh/geometry_check.h"
 #include "support/sanitized.h"
 
-namespace lkao::gl::tests {
+namespace lkao::gl::tests::back_ends_test {
 namespace {
 
 constexpr int kWidth = lkao::tests::unless_sanitized(96, 48);
@@ -154,4 +154,4 @@ TEST_F(BackEnds, MovingMeshesAreDrawnWhereTheyAre) {
 }
 
 }  // namespace
-}  // namespace lkao::gl::tests
+}  // namespace lkao::gl::tests::back_ends_test

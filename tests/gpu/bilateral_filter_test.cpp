@@ -20,7 +20,7 @@
 #include "lkao/gl/bilateral_filter.h"
 #include "lut/random.h"
 
-namespace lkao::gl::tests {
+namespace lkao::gl::tests::bilateral_filter_test {
 namespace {
 
 constexpr int kWidth = 64;
@@ -208,4 +208,4 @@ TEST_F(BilateralFilterOnRoom, NamesWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace lkao::gl::tests
+}  // namespace lkao::gl::tests::bilateral_filter_test

@@ -12,7 +12,7 @@
 #include "gpu/pass_scene.h"
 #include "support/sanitized.h"
 
-namespace lkao::gl::tests {
+namespace lkao::gl::tests::cameras_test {
 namespace {
 
 constexpr int kWidth = lkao::tests::unless_sanitized(48, 32);
@@ -170,4 +170,4 @@ TEST_F(Cameras, MayBeFarFromTheOriginAndInAnyUnit) {
 }
 
 }  // namespace
-}  // namespace lkao::gl::tests
+}  // namespace lkao::gl::tests::cameras_test

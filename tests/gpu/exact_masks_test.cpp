@@ -10,7 +10,7 @@
 #include "gpu/rounding.h"
 #include "support/sanitized.h"
 
-namespace lkao::gl::tests {
+namespace lkao::gl::tests::exact_masks_test {
 namespace {
 
 constexpr int kWidth = lkao::tests::unless_sanitized(192, 96);
@@ -153,4 +153,4 @@ TEST_F(ExactMasks, IgnoreTrianglesThatBlockNothing) {
 }
 
 }  // namespace
-}  // namespace lkao::gl::tests
+}  // namespace lkao::gl::tests::exact_masks_test

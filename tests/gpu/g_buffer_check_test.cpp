@@ -10,7 +10,7 @@
 
 #include "gpu/in_furnished_room.h"
 
-namespace lkao::gl::tests {
+namespace lkao::gl::tests::g_buffer_check_test {
 namespace {
 
 using testing::HasSubstr;
@@ -111,4 +111,4 @@ TEST_F(GBufferCheck, LeavesHalfFloatsFarAwayInPeace) {
 }
 
 }  // namespace
-}  // namespace lkao::gl::tests
+}  // namespace lkao::gl::tests::g_buffer_check_test

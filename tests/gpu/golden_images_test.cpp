@@ -16,7 +16,7 @@
 #include "gpu/on_software.h"
 #include "gpu/pass_scene.h"
 
-namespace lkao::gl::tests {
+namespace lkao::gl::tests::golden_images_test {
 namespace {
 
 constexpr int kWidth = 160;
@@ -93,4 +93,4 @@ TEST_F(GoldenImagesOnSoftware, AreDrawn) {
 }
 
 }  // namespace
-}  // namespace lkao::gl::tests
+}  // namespace lkao::gl::tests::golden_images_test

@@ -13,7 +13,7 @@
 #include "gpu/horizon_scene.h"
 #include "gpu/on_software.h"
 
-namespace lkao::gl::tests {
+namespace lkao::gl::tests::horizon_golden_test {
 namespace {
 
 constexpr int kWidth = 96;
@@ -69,4 +69,4 @@ TEST_F(HorizonGolden, AreDrawn) {
 }
 
 }  // namespace
-}  // namespace lkao::gl::tests
+}  // namespace lkao::gl::tests::horizon_golden_test

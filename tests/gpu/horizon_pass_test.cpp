@@ -18,7 +18,7 @@
 #include "gpu/on_software.h"
 #include "gpu/pass_scene.h"
 
-namespace lkao::gl::tests {
+namespace lkao::gl::tests::horizon_pass_test {
 namespace {
 
 using testing::Each;
@@ -368,4 +368,4 @@ TEST_F(Horizons, AreDrawnWithoutExceptions) {
 }
 
 }  // namespace
-}  // namespace lkao::gl::tests
+}  // namespace lkao::gl::tests::horizon_pass_test

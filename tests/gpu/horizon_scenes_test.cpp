@@ -14,7 +14,7 @@
 #include "gpu/horizon_scene.h"
 #include "gpu/on_software.h"
 
-namespace lkao::gl::tests {
+namespace lkao::gl::tests::horizon_scenes_test {
 namespace {
 
 using lkao::tests::add_quad;
@@ -242,4 +242,4 @@ TEST_F(HorizonScenes, NothingIsDarkAcrossGapsLargerThanTheRadius) {
 }
 
 }  // namespace
-}  // namespace lkao::gl::tests
+}  // namespace lkao::gl::tests::horizon_scenes_test

@@ -10,7 +10,7 @@
 #include "gpu/in_furnished_room.h"
 #include "support/instances.h"
 
-namespace lkao::gl::tests {
+namespace lkao::gl::tests::instances_test {
 namespace {
 
 using lkao::tests::random_point;
@@ -131,4 +131,4 @@ TEST_F(InstancedOccluders, RefuseWhatTheyCannotBe) {
 }
 
 }  // namespace
-}  // namespace lkao::gl::tests
+}  // namespace lkao::gl::tests::instances_test

@@ -12,7 +12,7 @@
 #include "lkao/lkao.h"
 #include "support/sanitized.h"
 
-namespace lkao::gl::tests {
+namespace lkao::gl::tests::levels_test {
 namespace {
 
 constexpr int kWidth = lkao::tests::kIsSanitized ? 48 : 96, kHeight = lkao::tests::kIsSanitized ? 36 : 72;
@@ -173,4 +173,4 @@ TEST_F(LevelsInThePass, RefuseWhatIsNoRange) {
 }
 
 }  // namespace
-}  // namespace lkao::gl::tests
+}  // namespace lkao::gl::tests::levels_test

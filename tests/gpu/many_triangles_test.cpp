@@ -11,7 +11,7 @@
 #include "gpu/mesh/mesh_buffers.h"
 #include "lkao/lkao.h"
 
-namespace lkao::gl::tests {
+namespace lkao::gl::tests::many_triangles_test {
 namespace {
 
 class ManyTriangles : public InFurnishedRoom<48, 36> {
@@ -70,4 +70,4 @@ TEST_F(ManyTriangles, KeepTheirRanges) {
 }
 
 }  // namespace
-}  // namespace lkao::gl::tests
+}  // namespace lkao::gl::tests::many_triangles_test

@@ -16,7 +16,7 @@
 #include "gpu/in_furnished_room.h"
 #include "support/sanitized.h"
 
-namespace lkao::gl::tests {
+namespace lkao::gl::tests::nearest_masks_test {
 namespace {
 
 constexpr int kWidth = lkao::tests::unless_sanitized(96, 48);
@@ -127,4 +127,4 @@ TEST_F(NearestMasks, AreNearTheExactOnes) {
 }
 
 }  // namespace
-}  // namespace lkao::gl::tests
+}  // namespace lkao::gl::tests::nearest_masks_test

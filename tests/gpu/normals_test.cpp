@@ -14,7 +14,7 @@
 #include "gpu/in_furnished_room.h"
 #include "support/sanitized.h"
 
-namespace lkao::gl::tests {
+namespace lkao::gl::tests::normals_test {
 namespace {
 
 constexpr int kWidth = lkao::tests::unless_sanitized(128, 64);
@@ -135,4 +135,4 @@ TEST_F(Normals, OfAllFormatsGiveNearlyTheSameOcclusion) {
 }
 
 }  // namespace
-}  // namespace lkao::gl::tests
+}  // namespace lkao::gl::tests::normals_test

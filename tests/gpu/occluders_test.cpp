@@ -6,7 +6,7 @@
 
 #include "gpu/in_furnished_room.h"
 
-namespace lkao::gl::tests {
+namespace lkao::gl::tests::occluders_test {
 namespace {
 
 class SharedOccluders : public InFurnishedRoom<64, 48> {};
@@ -77,4 +77,4 @@ TEST_F(SharedOccluders, MayChangeFromFrameToFrame) {
 }
 
 }  // namespace
-}  // namespace lkao::gl::tests
+}  // namespace lkao::gl::tests::occluders_test

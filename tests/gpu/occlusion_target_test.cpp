@@ -15,7 +15,7 @@
 #include "lkao/gl/bilateral_filter.h"
 #include "lut/random.h"
 
-namespace lkao::gl::tests {
+namespace lkao::gl::tests::occlusion_target_test {
 namespace {
 
 constexpr int kWidth = 40;
@@ -138,4 +138,4 @@ TEST_F(OcclusionTargets, ThatCannotBeAreRefused) {
 }
 
 }  // namespace
-}  // namespace lkao::gl::tests
+}  // namespace lkao::gl::tests::occlusion_target_test

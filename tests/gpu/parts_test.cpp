@@ -16,7 +16,7 @@
 
 #include "gpu/in_furnished_room.h"
 
-namespace lkao::gl::tests {
+namespace lkao::gl::tests::parts_test {
 namespace {
 
 constexpr int kWidth = 65;
@@ -223,4 +223,4 @@ TEST_F(Parts, OneHighAndOneWidePictureAreNotOneLargeOne) {
 }
 
 }  // namespace
-}  // namespace lkao::gl::tests
+}  // namespace lkao::gl::tests::parts_test

@@ -13,7 +13,7 @@
 #include "gpu/on_software.h"
 #include "gpu/pass_scene.h"
 
-namespace lkao::gl::tests {
+namespace lkao::gl::tests::pass_errors_test {
 namespace {
 
 constexpr int kSize = 16;
@@ -202,4 +202,4 @@ TEST_F(PassErrors, GiveTheDriversFirstLine) {
 }
 
 }  // namespace
-}  // namespace lkao::gl::tests
+}  // namespace lkao::gl::tests::pass_errors_test

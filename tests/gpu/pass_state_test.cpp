@@ -12,7 +12,7 @@
 #include "gpu/on_software.h"
 #include "gpu/pass_scene.h"
 
-namespace lkao::gl::tests {
+namespace lkao::gl::tests::pass_state_test {
 namespace {
 
 using ::testing::IsEmpty;
@@ -292,4 +292,4 @@ TEST_F(PassState, OfVaoIsPutBackAndDoesNotMatter) {
 }
 
 }  // namespace
-}  // namespace lkao::gl::tests
+}  // namespace lkao::gl::tests::pass_state_test

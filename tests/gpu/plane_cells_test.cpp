@@ -14,7 +14,7 @@
 #include "gpu/on_software.h"
 #include "support/meshes.h"
 
-namespace lkao::gl::tests {
+namespace lkao::gl::tests::plane_cells_test {
 namespace {
 
 constexpr const char* kMain = R"(
@@ -90,4 +90,4 @@ TEST_F(PlaneCellsInGlsl, AreThoseOfTheCpuForAMillionPlanes) {
 }
 
 }  // namespace
-}  // namespace lkao::gl::tests
+}  // namespace lkao::gl::tests::plane_cells_test

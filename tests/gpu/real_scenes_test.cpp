@@ -16,7 +16,7 @@
 #include "image/metrics.h"
 #include "scene/load.h"
 
-namespace lkao::gl::tests {
+namespace lkao::gl::tests::real_scenes_test {
 namespace {
 
 struct Size {
@@ -133,4 +133,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const testing::TestParamInfo<Scene>& scene) { return std::string(scene.param.name); });
 
 }  // namespace
-}  // namespace lkao::gl::tests
+}  // namespace lkao::gl::tests::real_scenes_test

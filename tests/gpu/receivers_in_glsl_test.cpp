@@ -12,7 +12,7 @@
 #include "gpu/on_software.h"
 #include "gpu/pass_scene.h"
 
-namespace lkao::gl::tests {
+namespace lkao::gl::tests::receivers_in_glsl_test {
 namespace {
 
 constexpr int kSize = 128;
@@ -145,4 +145,4 @@ TEST_F(ReceiversInGlsl, UnderstandPackedAndViewSpaceNormals) {
 }
 
 }  // namespace
-}  // namespace lkao::gl::tests
+}  // namespace lkao::gl::tests::receivers_in_glsl_test

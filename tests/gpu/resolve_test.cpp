@@ -13,7 +13,7 @@
 #include "gpu/in_furnished_room.h"
 #include "support/sanitized.h"
 
-namespace lkao::gl::tests {
+namespace lkao::gl::tests::resolve_test {
 namespace {
 
 constexpr int kWidth = lkao::tests::unless_sanitized(96, 48);
@@ -153,4 +153,4 @@ TEST_F(Resolve, TakesImagesOfOddSizes) {
 }
 
 }  // namespace
-}  // namespace lkao::gl::tests
+}  // namespace lkao::gl::tests::resolve_test

@@ -13,7 +13,7 @@
 #include "gpu/on_software.h"
 #include "gpu/splat_scene.h"
 
-namespace lkao::gl::tests {
+namespace lkao::gl::tests::splat_far_test {
 namespace {
 
 constexpr int kWidth = 48;
@@ -240,4 +240,4 @@ TEST_F(SplatFar, SpheresMoveAndChangeTheirNumber) {
 }
 
 }  // namespace
-}  // namespace lkao::gl::tests
+}  // namespace lkao::gl::tests::splat_far_test

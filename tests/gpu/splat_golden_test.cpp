@@ -13,7 +13,7 @@
 #include "gpu/on_software.h"
 #include "gpu/splat_scene.h"
 
-namespace lkao::gl::tests {
+namespace lkao::gl::tests::splat_golden_test {
 namespace {
 
 constexpr int kWidth = 96;
@@ -59,4 +59,4 @@ TEST_F(SplatGolden, IsDrawn) {
 }
 
 }  // namespace
-}  // namespace lkao::gl::tests
+}  // namespace lkao::gl::tests::splat_golden_test

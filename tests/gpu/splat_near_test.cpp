@@ -11,7 +11,7 @@
 #include "gpu/pass_scene.h"
 #include "gpu/splat_scene.h"
 
-namespace lkao::gl::tests {
+namespace lkao::gl::tests::splat_near_test {
 namespace {
 
 constexpr int kWidth = 40;
@@ -201,4 +201,4 @@ TEST_F(SplatNear, ShadingNormalsDoNotDarkenWhatIsFlat) {
 }
 
 }  // namespace
-}  // namespace lkao::gl::tests
+}  // namespace lkao::gl::tests::splat_near_test

@@ -16,7 +16,7 @@
 #include "gpu/pass_scene.h"
 #include "gpu/splat_scene.h"
 
-namespace lkao::gl::tests {
+namespace lkao::gl::tests::splat_pass_test {
 namespace {
 
 using testing::Each;
@@ -231,4 +231,4 @@ TEST_F(Splats, AreDrawnWithoutExceptions) {
 }
 
 }  // namespace
-}  // namespace lkao::gl::tests
+}  // namespace lkao::gl::tests::splat_pass_test

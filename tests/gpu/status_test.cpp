@@ -6,7 +6,7 @@
 
 #include "gpu/in_furnished_room.h"
 
-namespace lkao::gl::tests {
+namespace lkao::gl::tests::status_test {
 namespace {
 
 using testing::HasSubstr;
@@ -77,4 +77,4 @@ TEST_F(Statuses, ErrorsOfTheHostAreReportedOrDropped) {
 }
 
 }  // namespace
-}  // namespace lkao::gl::tests
+}  // namespace lkao::gl::tests::status_test

@@ -14,7 +14,7 @@
 #include "lkao/lkao.h"
 #include "support/sanitized.h"
 
-namespace lkao::gl::tests {
+namespace lkao::gl::tests::unbounded_test {
 namespace {
 
 constexpr int kWidth = lkao::tests::unless_sanitized(64, 32);
@@ -174,4 +174,4 @@ TEST_F(UnboundedPass, RefusesTablesOfRaysOfSeveralLengths) {
 }
 
 }  // namespace
-}  // namespace lkao::gl::tests
+}  // namespace lkao::gl::tests::unbounded_test

@@ -17,7 +17,7 @@
 #include "gpu/screen/vao/vao_block.h"
 #include "gpu/volumes/volume_pass_block.h"
 
-namespace lkao::gl::tests {
+namespace lkao::gl::tests::uniform_blocks_test {
 namespace {
 
 GLint value_of(GLuint program, GLenum interface, GLuint index, GLenum property) {
@@ -108,4 +108,4 @@ TEST_F(UniformBlocks, AreLaidOutAlike) {
 }
 
 }  // namespace
-}  // namespace lkao::gl::tests
+}  // namespace lkao::gl::tests::uniform_blocks_test

@@ -16,7 +16,7 @@
 #include "lkao/gl/bilateral_filter.h"
 #include "lut/random.h"
 
-namespace lkao::gl::tests {
+namespace lkao::gl::tests::upsample_test {
 namespace {
 
 constexpr int kWidth = 63;
@@ -225,4 +225,4 @@ TEST_F(Upsample, NamesWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace lkao::gl::tests
+}  // namespace lkao::gl::tests::upsample_test

@@ -10,7 +10,7 @@
 #include "gpu/on_software.h"
 #include "gpu/vao_definition.h"
 
-namespace lkao::gl::tests {
+namespace lkao::gl::tests::vao_extensions_test {
 namespace {
 
 constexpr int kWidth = 60;
@@ -258,4 +258,4 @@ TEST_F(VaoExtensions, TheFilterJoinsInterleavedPixels) {
 }
 
 }  // namespace
-}  // namespace lkao::gl::tests
+}  // namespace lkao::gl::tests::vao_extensions_test

@@ -13,7 +13,7 @@
 #include "gpu/pass_scene.h"
 #include "gpu/vao_definition.h"
 
-namespace lkao::gl::tests {
+namespace lkao::gl::tests::vao_golden_test {
 namespace {
 
 constexpr int kWidth = 96;
@@ -52,4 +52,4 @@ TEST_F(VaoGolden, IsDrawn) {
 }
 
 }  // namespace
-}  // namespace lkao::gl::tests
+}  // namespace lkao::gl::tests::vao_golden_test

@@ -17,7 +17,7 @@
 #include "gpu/pass_scene.h"
 #include "gpu/vao_definition.h"
 
-namespace lkao::gl::tests {
+namespace lkao::gl::tests::vao_pass_test {
 namespace {
 
 using testing::Each;
@@ -318,4 +318,4 @@ TEST_F(Vao, IsDrawnWithoutExceptions) {
 }
 
 }  // namespace
-}  // namespace lkao::gl::tests
+}  // namespace lkao::gl::tests::vao_pass_test

@@ -12,7 +12,7 @@
 
 #include "gpu/screen/vao/sample_sets.h"
 
-namespace lkao::gl::tests {
+namespace lkao::gl::tests::vao_samples_test {
 namespace {
 
 glm::dvec2 turn(const glm::dvec2& place, int ninths) {
@@ -136,4 +136,4 @@ TEST(VaoSamples, AreAllInOneArray) {
 }
 
 }  // namespace
-}  // namespace lkao::gl::tests
+}  // namespace lkao::gl::tests::vao_samples_test

@@ -15,7 +15,7 @@
 #include "gpu/pass_scene.h"
 #include "gpu/vao_definition.h"
 
-namespace lkao::gl::tests {
+namespace lkao::gl::tests::vao_shapes_test {
 namespace {
 
 constexpr int kWidth = 96;
@@ -229,4 +229,4 @@ TEST_F(VaoShapes, TurningAndMirroringThePictureTurnsTheResult) {
 }
 
 }  // namespace
-}  // namespace lkao::gl::tests
+}  // namespace lkao::gl::tests::vao_shapes_test

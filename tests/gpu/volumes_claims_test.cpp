@@ -14,7 +14,7 @@
 #include "lkao/ambient_occlusion.h"
 #include "support/meshes.h"
 
-namespace lkao::gl::tests {
+namespace lkao::gl::tests::volumes_claims_test {
 namespace {
 
 constexpr int kWidth = 64;
@@ -204,4 +204,4 @@ TEST_F(VolumesOnFloor, ClampedOnesReachTwiceDelta) {
 }
 
 }  // namespace
-}  // namespace lkao::gl::tests
+}  // namespace lkao::gl::tests::volumes_claims_test

@@ -12,7 +12,7 @@
 #include "gpu/on_software.h"
 #include "gpu/pass_scene.h"
 
-namespace lkao::gl::tests {
+namespace lkao::gl::tests::volumes_errors_test {
 namespace {
 
 constexpr int kSize = 16;
@@ -116,4 +116,4 @@ TEST_F(VolumeErrors, NothingIsReadWhereNothingWasDrawn) {
 }
 
 }  // namespace
-}  // namespace lkao::gl::tests
+}  // namespace lkao::gl::tests::volumes_errors_test

@@ -16,7 +16,7 @@
 #include "gpu/on_software.h"
 #include "gpu/volumes_definition.h"
 
-namespace lkao::gl::tests {
+namespace lkao::gl::tests::volumes_form_factor_test {
 namespace {
 
 using lkao::tests::random_direction;
@@ -224,4 +224,4 @@ TEST_F(VolumesFormFactor, OfWhatTheHorizonHidesIsNothing) {
 }
 
 }  // namespace
-}  // namespace lkao::gl::tests
+}  // namespace lkao::gl::tests::volumes_form_factor_test

@@ -18,7 +18,7 @@
 #include "gpu/volumes_definition.h"
 #include "image/image.h"
 
-namespace lkao::gl::tests {
+namespace lkao::gl::tests::volumes_golden_test {
 namespace {
 
 constexpr int kWidth = 160;
@@ -80,4 +80,4 @@ TEST_F(VolumesGolden, IsDrawn) {
 }
 
 }  // namespace
-}  // namespace lkao::gl::tests
+}  // namespace lkao::gl::tests::volumes_golden_test

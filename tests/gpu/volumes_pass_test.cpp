@@ -13,7 +13,7 @@
 #include "gpu/in_furnished_room.h"
 #include "gpu/volumes_definition.h"
 
-namespace lkao::gl::tests {
+namespace lkao::gl::tests::volumes_pass_test {
 namespace {
 
 constexpr int kWidth = 64;
@@ -334,4 +334,4 @@ TEST_F(VolumesOnRoom, TakeEverySize) {
 }
 
 }  // namespace
-}  // namespace lkao::gl::tests
+}  // namespace lkao::gl::tests::volumes_pass_test

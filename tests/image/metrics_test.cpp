@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace lkao::image {
+namespace lkao::image::metrics_test {
 namespace {
 
 constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
@@ -99,4 +99,4 @@ TEST(Metrics, SizesThatDifferAreNamed) {
 }
 
 }  // namespace
-}  // namespace lkao::image
+}  // namespace lkao::image::metrics_test

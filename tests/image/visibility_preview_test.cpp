@@ -8,7 +8,7 @@
 #include "image/image.h"
 #include "temporary_folder.h"
 
-namespace lkao::image {
+namespace lkao::image::visibility_preview_test {
 namespace {
 
 constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
@@ -51,4 +51,4 @@ TEST(VisibilityPreview, IsEncodedOnceInThePng) {
 }
 
 }  // namespace
-}  // namespace lkao::image
+}  // namespace lkao::image::visibility_preview_test

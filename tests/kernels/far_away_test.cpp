@@ -12,7 +12,7 @@
 #include "ray_counts.h"
 #include "same_bits.h"
 
-namespace lkao::tests {
+namespace lkao::tests::far_away_test {
 namespace {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
@@ -146,4 +146,4 @@ TEST_P(FarAway, EndsOfRaysBehindNeedlesChangeNothing) {
 }
 
 }  // namespace
-}  // namespace lkao::tests
+}  // namespace lkao::tests::far_away_test

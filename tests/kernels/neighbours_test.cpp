@@ -11,7 +11,7 @@
 #include "ray_counts.h"
 #include "same_bits.h"
 
-namespace lkao::tests {
+namespace lkao::tests::neighbours_test {
 namespace {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
@@ -102,4 +102,4 @@ TEST_P(Neighbours, AtOtherDistancesChangeNothing) {
 }
 
 }  // namespace
-}  // namespace lkao::tests
+}  // namespace lkao::tests::neighbours_test

@@ -12,7 +12,7 @@
 #include "ray_counts.h"
 #include "same_bits.h"
 
-namespace lkao::tests {
+namespace lkao::tests::part_culls_test {
 namespace {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
@@ -88,4 +88,4 @@ TEST_P(PartCulls, LeaveNoGapBetweenLevels) {
 }
 
 }  // namespace
-}  // namespace lkao::tests
+}  // namespace lkao::tests::part_culls_test

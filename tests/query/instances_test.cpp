@@ -14,7 +14,7 @@
 #include "support/receivers.h"
 #include "support/sanitized.h"
 
-namespace lkao {
+namespace lkao::instances_test {
 namespace {
 
 using tests::instance_of;
@@ -274,4 +274,4 @@ TEST(InstancesByTable, HaveTheBitsOfTheFlattenedMesh) {
 }
 
 }  // namespace
-}  // namespace lkao
+}  // namespace lkao::instances_test

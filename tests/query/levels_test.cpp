@@ -15,7 +15,7 @@
 #include "support/receivers.h"
 #include "support/sanitized.h"
 
-namespace lkao {
+namespace lkao::levels_test {
 namespace {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
@@ -144,4 +144,4 @@ TEST(LevelRanges, BehindAllRaysBlockNothing) {
 }
 
 }  // namespace
-}  // namespace lkao
+}  // namespace lkao::levels_test

@@ -15,7 +15,7 @@
 #include "support/receivers.h"
 #include "support/sanitized.h"
 
-namespace lkao {
+namespace lkao::neighbourhood_test {
 namespace {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
@@ -112,4 +112,4 @@ TEST(Neighbourhood, RefusesWhatIsNoBox) {
 }
 
 }  // namespace
-}  // namespace lkao
+}  // namespace lkao::neighbourhood_test

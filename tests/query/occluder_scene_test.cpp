@@ -12,7 +12,7 @@
 #include "support/instances.h"
 #include "support/receivers.h"
 
-namespace lkao {
+namespace lkao::occluder_scene_test {
 namespace {
 
 using testing::HasSubstr;
@@ -227,4 +227,4 @@ TEST(OccluderScene, AnswersBatchesAndNeighbourhoodsAsSingleQueries) {
 }
 
 }  // namespace
-}  // namespace lkao
+}  // namespace lkao::occluder_scene_test

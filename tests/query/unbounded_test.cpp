@@ -15,7 +15,7 @@
 #include "support/receivers.h"
 #include "support/sanitized.h"
 
-namespace lkao {
+namespace lkao::unbounded_test {
 namespace {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
@@ -152,4 +152,4 @@ TEST(UnboundedTables, RefuseRaysOfSeveralLengths) {
 }
 
 }  // namespace
-}  // namespace lkao
+}  // namespace lkao::unbounded_test

@@ -10,7 +10,7 @@
 #include "scene/builtin.h"
 #include "scene/shapes.h"
 
-namespace lkao::scene {
+namespace lkao::scene::camera_test {
 namespace {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
@@ -238,4 +238,4 @@ TEST(Frame, AllCornersOfTheBoxAreInside) {
 }
 
 }  // namespace
-}  // namespace lkao::scene
+}  // namespace lkao::scene::camera_test

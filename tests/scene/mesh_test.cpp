@@ -14,7 +14,7 @@
 #include "scene/ply_writer.h"
 #include "scene/radius.h"
 
-namespace lkao::scene {
+namespace lkao::scene::mesh_test {
 namespace {
 
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
@@ -219,4 +219,4 @@ TEST(PlyWriter, RefusesTheWrongNumberOfValues) {
 }
 
 }  // namespace
-}  // namespace lkao::scene
+}  // namespace lkao::scene::mesh_test

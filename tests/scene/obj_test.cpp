@@ -5,7 +5,7 @@
 #include "scene/defects.h"
 #include "scene/files.h"
 
-namespace lkao::scene {
+namespace lkao::scene::obj_test {
 namespace {
 
 using Corners = std::vector<glm::vec3>;
@@ -224,4 +224,4 @@ TEST_F(Obj, MaterialFilesAreNoReasonToRefuse) {
 }
 
 }  // namespace
-}  // namespace lkao::scene
+}  // namespace lkao::scene::obj_test

@@ -3,7 +3,7 @@
 
 #include "scene/files.h"
 
-namespace lkao::scene {
+namespace lkao::scene::off_test {
 namespace {
 
 TEST(Off, IsReadWithCommentsColoursAndBigPolygons) {
@@ -90,4 +90,4 @@ TEST(Off, NormalsAreReadAndFourthCoordinatesDivide) {
 }
 
 }  // namespace
-}  // namespace lkao::scene
+}  // namespace lkao::scene::off_test

@@ -9,7 +9,7 @@
 #include "scene/defects.h"
 #include "scene/files.h"
 
-namespace lkao::scene {
+namespace lkao::scene::ply_test {
 namespace {
 
 std::string header(const std::string& format, int vertex_count, int face_count) {
@@ -230,4 +230,4 @@ TEST(Ply, AnOriginInACommentIsThatOfTheMesh) {
 }
 
 }  // namespace
-}  // namespace lkao::scene
+}  // namespace lkao::scene::ply_test

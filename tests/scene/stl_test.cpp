@@ -6,7 +6,7 @@
 #include "scene/defects.h"
 #include "scene/files.h"
 
-namespace lkao::scene {
+namespace lkao::scene::stl_test {
 namespace {
 
 using Corners = std::vector<glm::vec3>;
@@ -147,4 +147,4 @@ TEST_F(Stl, FaultsAreNamedWithTheirLine) {
 }
 
 }  // namespace
-}  // namespace lkao::scene
+}  // namespace lkao::scene::stl_test
