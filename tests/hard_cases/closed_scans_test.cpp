@@ -1,5 +1,6 @@
 // Closed scans and parts do not leak: from inside, each ray is blocked: 1e8 rays with a radius beyond the mesh, and
-// 5e7 without end; with the environment variable LKAO_LEAK_RAYS so many without end, which takes its time.
+// 5e7 without end; with the environment variable LKAO_LEAK_RAYS so many without end, which takes its time, and with how
+// many of the others leak from Embree, which is no matter of this test.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -105,9 +106,11 @@ std::vector<Receiver> receivers_at(const std::vector<glm::vec3>& points, int nor
   return receivers;
 }
 
+const char* wanted_endless_ray_count() { return std::getenv("LKAO_LEAK_RAYS"); }
+
 // Without end, in all.
 std::uint64_t endless_ray_count() {
-  const char* const wanted = std::getenv("LKAO_LEAK_RAYS");
+  const char* const wanted = wanted_endless_ray_count();
   return wanted != nullptr ? std::strtoull(wanted, nullptr, 10) : 50'000'000;
 }
 
@@ -149,7 +152,7 @@ RayCounts expect_no_leak(const ClosedMesh& closed, const Mesh& mesh, int placeme
   fmt::print("{:>36} {:>2} {:>10} {:>11} | {:>4} {:>7}", closed.file, placement, report.ray_count, endless.ray_count,
              leak_count(report), leak_count(endless));
   for (bool robust : {false, true}) {
-    if (placement > 0) break;  // building Embree's scenes takes most of the time
+    if (wanted_endless_ray_count() == nullptr || placement > 0) break;  // Embree takes most of the time
     const reference::EmbreeReference embree({mesh.positions, mesh.triangles}, {.robust = robust});
     fmt::print(" | {:>14}", leak_count(embree.query(ao, receivers, {})));
   }
