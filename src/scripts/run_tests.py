@@ -8,8 +8,8 @@ are no GoogleTest are left to CTest.
 
 A program none of whose tests failed is not run again, but for the tests that were skipped, until it changes, or
 something that it reads (lkao_test's READS), or what it runs on: packages, shared scenes, variables of the environment.
-The same holds for a test that is no GoogleTest, but a program of the build and nothing else. --all runs them all the
-same.
+The same holds for a test that is no GoogleTest, but a program of the build and nothing else, or that says what it hangs
+on: CTest's REQUIRED_FILES. What CTest runs before it goes with it. --all runs them all the same.
 
 Writes "PASSED FAILED SKIPPED" as numbers into the file REPORT, then a line for each failed test, each skipped one, and
 one for the programs that were not run again. The exit status is 0 unless the tests could not be run.
@@ -27,11 +27,12 @@ import threading
 import time
 import xml.etree.ElementTree as xml
 
-from stamps import Stamps
+from stamps import Stamps, key_of
 from test_inputs import program_key, surroundings
 
 BATCH_SIZE = 25
 FILTER = "--gtest_filter="
+FIXTURES = ("FIXTURES_SETUP", "FIXTURES_REQUIRED")
 
 
 class Test:
@@ -46,7 +47,8 @@ class Test:
         self.environment = properties.get("ENVIRONMENT", [])
         self.folder = properties.get("WORKING_DIRECTORY")
         self.cost = properties.get("COST", 0)
-        self.needs_others = "FIXTURES_REQUIRED" in properties
+        self.fixtures = {name for kind in FIXTURES for name in properties.get(kind, [])}
+        self.reads = properties.get("REQUIRED_FILES", [])
         filters = [i for i, argument in enumerate(self.command) if argument.startswith(FILTER)]
         # What GoogleTest calls the test: CTest's name has the values of its parameters.
         self.filter = self.command[filters[0]][len(FILTER) :] if filters else None
@@ -219,10 +221,23 @@ def batches_of(tests):
         yield tests[first : first + BATCH_SIZE]
 
 
-def is_lone_program(folder, test):
-    """Whether a test is a program of the build that CTest runs after no other test."""
-    start = os.path.abspath(folder) + os.sep
-    return bool(test.command) and test.command[0].startswith(start) and not test.needs_others
+def groups_of(tests):
+    """Tests of which CTest runs some for the others, together."""
+    groups = []  # tests and their fixtures
+    for test in tests:
+        joined = [group for group in groups if group[1] & test.fixtures]
+        groups = [group for group in groups if group not in joined]
+        groups.append((sum((group[0] for group in joined), []) + [test], test.fixtures.union(*(g[1] for g in joined))))
+    return [group[0] for group in groups]
+
+
+def key_of_other(folder, test, around):
+    """Of a test that is no GoogleTest; none where it does not say what it hangs on."""
+    words = [test.command, test.environment, test.reads]
+    if test.reads:
+        return key_of([words, around], test.reads)
+    is_program = test.command and test.command[0].startswith(os.path.abspath(folder) + os.sep)
+    return program_key(test.command[0], words, around) if is_program and not test.fixtures else None
 
 
 def skips_of(program):
@@ -262,14 +277,13 @@ def main():
             unchanged.append(f"{os.path.basename(program)} ({passed_before})")
             results.add(program, passed=passed_before)
 
-    # Of those that are no GoogleTest, what is a program of the build and nothing else hangs on that program alone.
-    lone_keys = {}
-    for test in [t for t in others if is_lone_program(options.folder, t)]:
-        lone_keys[test.name] = program_key(test.command[0], [test.command, test.environment], around)
-        if not options.all and stamps.is_good(test.name, lone_keys[test.name]):
-            others.remove(test)
-            unchanged.append(f"{test.name} (1)")
-            results.add(None, passed=1)
+    other_keys = {test.name: key_of_other(options.folder, test, around) for test in others}
+    for group in groups_of(others):
+        known = [(test.name, other_keys[test.name]) for test in group if other_keys[test.name]]
+        if not options.all and len(known) == len(group) and all(stamps.is_good(*pair) for pair in known):
+            others = [test for test in others if test not in group]
+            unchanged.append(f"{group[0].name} ({len(group)})")
+            results.add(None, passed=len(group))
 
     signal.signal(signal.SIGINT, stop)
     with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
@@ -285,7 +299,7 @@ def main():
     for program in programs:
         stamps.set(skips_of(program), results.skipped_by.get(program, []))
         stamps.set(program, keys[program] if program not in results.failed_programs else None)
-    for name, key in lone_keys.items():
+    for name, key in other_keys.items():
         stamps.set(name, key if results.is_good(name) else None)
     with open(options.report, "w", encoding="utf-8") as report:
         print(results.passed, len(results.failed), len(results.skipped), file=report)

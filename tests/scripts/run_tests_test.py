@@ -126,6 +126,21 @@ class RunTests(unittest.TestCase):
         self.assertEqual(self.run_ctest(), (["0 1 0", "FAILED  A"], 1))
         self.assertEqual(self.run_ctest(), (["0 1 0", "FAILED  A"], 1))
 
+    def test_what_says_on_what_it_hangs_is_not_run_again_with_what_is_run_for_it(self):
+        reads = f'REQUIRED_FILES "{self.path("data")}"'
+        tests = [f'add_test({name} sh -c "echo >> {self.path("runs")}")\n' for name in "ABC"]
+        tests.append(f"set_tests_properties(A PROPERTIES FIXTURES_SETUP f {reads})\n")
+        tests.append(f"set_tests_properties(B PROPERTIES FIXTURES_REQUIRED f {reads})\n")
+        self.write("CTestTestfile.cmake", "".join(tests))
+        self.assertEqual(self.run_ctest(), (["3 0 0"], 3))
+        note = f"UNCHANGED in {self.folder}, passed before, not run again: A (2)"
+        self.assertEqual(self.run_ctest(), (["3 0 0", note], 1))
+        self.write("data", "2")
+        self.assertEqual(self.run_ctest(), (["3 0 0"], 3))
+        tests[4] = "set_tests_properties(B PROPERTIES FIXTURES_REQUIRED f)\n"
+        self.write("CTestTestfile.cmake", "".join(tests))
+        self.assertEqual([self.run_ctest(), self.run_ctest()], 2 * [(["3 0 0"], 3)])
+
     def run_ctest(self, *arguments):
         self.write("runs", "")
         command = [sys.executable, SCRIPT, self.folder, self.path("report"), *arguments]
