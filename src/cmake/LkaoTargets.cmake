@@ -63,23 +63,16 @@ function(lkao_core_part NAME)
   endforeach()
 endfunction()
 
-# lkao_compile_together(TARGET [AT_A_TIME 8] [ALONE a.cpp ...])
-#   With LKAO_UNITY_BUILD, several sources at a time are compiled as one: most of the time goes into what they include.
-#   ALONE: those with a name in their unnamed namespace that another has too.
-function(lkao_compile_together TARGET)
-  cmake_parse_arguments(PARSE_ARGV 1 together "" "AT_A_TIME" "ALONE")
-  if(NOT together_AT_A_TIME)
-    set(together_AT_A_TIME 8)
-  endif()
-  if(LKAO_UNITY_BUILD)
-    set_target_properties(${TARGET} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${together_AT_A_TIME})
-    set_source_files_properties(${together_ALONE} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
-  endif()
+# lkao_compile_alone(a.cpp ...)
+#   With LKAO_UNITY_BUILD all other sources of a target are compiled as one. These cannot: Highway includes them again for
+#   each instruction set, or they must not see what another includes.
+function(lkao_compile_alone)
+  set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 endfunction()
 
 # lkao_precompile(TARGET header ...)
-#   Where several sources cannot be compiled as one: headers that most of them include, read once. With
-#   LKAO_UNITY_BUILD only, as it hides what a source forgot to include.
+#   Headers that several targets include, read once. With LKAO_UNITY_BUILD only, as it hides what a source forgot to
+#   include.
 function(lkao_precompile TARGET)
   if(LKAO_UNITY_BUILD)
     target_precompile_headers(${TARGET} PRIVATE ${ARGN})

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """tidy.py FOLDER PLACE ...: clang-tidy over the sources under each place; FOLDER was configured for Clang.
 
-Sources that the build compiles together (lkao_compile_together) are looked at as one, since most of the time goes into
-what they include. Their texts are put into one file: the analyzer passes by what a file includes.
+Sources that the build compiles as one (LKAO_UNITY_BUILD) are looked at as one, since most of the time goes into what
+they include. Their texts are put into one file: the analyzer passes by what a file includes.
 
 A source is not looked at again until it changes, or a header that it includes, how it is compiled, .clang-tidy, or
 clang-tidy itself. The headers are those that ninja knows: a source that was not compiled yet is always looked at.
@@ -103,7 +103,9 @@ def main():
         stamps.set(entry["file"], None if ran.returncode else key)
         return "wrong" if ran.returncode else "clean", len(sources)
 
+    # Those of most sources first, so that in the end no processor waits.
     chosen = [entry for entry in entries if wanted & set(sources_of(entry))]
+    chosen.sort(key=lambda entry: -len(sources_of(entry)))
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
         verdicts = list(pool.map(look_at, chosen))
     counts = {word: sum(n for verdict, n in verdicts if verdict == word) for word in ("clean", "wrong", "unchanged")}
