@@ -44,7 +44,7 @@ constexpr const char* kBlindQuery = "lkao_blind";
 // The same cards without holes: what is lost by them.
 constexpr const char* kWholeQuery = "lkao_whole";
 
-Columns csv_columns() {
+Columns foliage_csv_columns() {
   return {{"scene"},
           {"triangles"},
           {"cards"},
@@ -61,7 +61,7 @@ Columns csv_columns() {
           {"blocked_share", "{:.4g}"}};
 }
 
-Columns table_columns() {
+Columns foliage_table_columns() {
   return {{"scene", "{}", -8},
           {"cards", "{}", 6},
           {"radius", "{:g}", 6},
@@ -96,7 +96,7 @@ class FoliageComparison {
   explicit FoliageComparison(const FoliageOptions& options)
       : options_(options),
         isas_(compared_isas(options.isas)),
-        csv_(options.csv, csv_columns(),
+        csv_(options.csv, foliage_csv_columns(),
              {fmt::format("time: CPU time for one thread, wall time for several; median of {} rounds",
                           options.round_count)}) {}
 
@@ -193,7 +193,7 @@ class FoliageComparison {
   FoliageOptions options_;
   std::vector<ComparedIsa> isas_;
   CsvFile csv_;
-  const Columns columns_ = table_columns();
+  const Columns columns_ = foliage_table_columns();
 };
 
 }  // namespace

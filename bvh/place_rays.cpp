@@ -45,7 +45,7 @@ void pick_parts(PlacedRays& placed) {
 // No part of a ray farther than this from its origin can meet the mesh. What is uncertain of all rays grows with the
 // longest; parts are shares of whole rays.
 float reach_of(const PlacedRays& placed, const Bounds& mesh) {
-  if (placed.world.parts != nullptr) return kInfinity;
+  if (placed.world.parts != nullptr) return kUpwards;
   const glm::vec3& origin = placed.rays.origin;
   const glm::vec3 farthest = glm::max(glm::abs(mesh.lower - origin), glm::abs(mesh.upper - origin));
   // Corners are not quite where they count, nor is the origin.

@@ -64,8 +64,8 @@ function(lkao_core_part NAME)
 endfunction()
 
 # lkao_compile_alone(a.cpp ...)
-#   With LKAO_UNITY_BUILD all other sources of a target are compiled as one. These cannot: Highway includes them again for
-#   each instruction set, or they must not see what another includes.
+#   With LKAO_UNITY_BUILD all other sources of a target are compiled as one. These cannot: Highway includes them again
+#   for each instruction set, or they must not see what another includes.
 function(lkao_compile_alone)
   set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 endfunction()
