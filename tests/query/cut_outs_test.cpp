@@ -186,6 +186,29 @@ TEST_P(CutOutTriangles, AreTheSameWithASurvey) {
   }
 }
 
+// Few rays of each receiver meet an instance there, which neighbours take together where meshes have no holes.
+TEST_P(CutOutTriangles, HaveThemInABatchSeenFromAfar) {
+  lut::RandomStream random(31);
+  const auto blocks = [](std::uint32_t, std::uint32_t primitive, float u, float v) { return is_dark(primitive, u, v); };
+  const Mesh mesh = tests::random_soup(60, 0.9f, 32);
+  const OccluderBvh thinned(mesh.view(), {.cut_outs = {.opacities = opacities(60, 0.5f, 1)}}),
+      filtered(mesh.view(), {.cut_outs = {.blocks = blocks, .survey = survey_fields}}), whole(mesh.view());
+  std::vector<OccluderInstance> instances;
+  for (std::uint32_t i = 0; i < 24; ++i) {
+    const glm::vec3 place = 4.0f * tests::random_point(random, 1);
+    instances.push_back(
+        {i % 3, tests::random_transform(random, glm::vec3(i % 2 == 0 ? 0.4f : -0.4f, 0.4f, 0.5f), place)});
+  }
+  const AmbientOcclusion ao = ask(OccluderScene({thinned, filtered, whole}, instances), {.radius = 6}, 64);
+  const std::vector<Receiver> receivers = tests::random_receivers(tests::unless_sanitized(70, 20), 0.5f, 33);
+  std::vector<std::uint64_t> masks(receivers.size());
+  const QueryReport report = ao.query(receivers, {.mask_words = masks});
+  EXPECT_GT(report.blocked_ray_count, 100u);
+  for (std::uint64_t i = 0; i < receivers.size(); ++i) {
+    ASSERT_EQ(masks[i], ao.blocked(receivers[i], i).words[0]) << "receiver " << i;
+  }
+}
+
 TEST_P(CutOutTriangles, LetTheirFilterThrow) {
   const Mesh mesh = tests::closed_box();
   const auto blocks = [](std::uint32_t, std::uint32_t, float, float) -> bool { throw std::length_error("no texture"); };
