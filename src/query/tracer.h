@@ -96,7 +96,8 @@ void Tracer::Visit::trace_each(std::span<const Receiver> receivers, std::uint64_
   const bool in_batches = traces_batches();
   const auto most = static_cast<std::size_t>(in_batches ? bvh::max_batch_receivers(tracer_.lanes_.ray_count) : 1);
   const std::size_t room = std::min(most, receivers.size());
-  const auto rays = std::make_unique_for_overwrite<ReceiverRays[]>(room);
+  // Not filled with zeros. libc++ 14 has no std::make_unique_for_overwrite.
+  const std::unique_ptr<ReceiverRays[]> rays(new ReceiverRays[room]);
   std::vector<OcclusionMask> blocked(room);
   for (std::size_t first = 0; first < receivers.size(); first += most) {
     const std::size_t count = std::min(most, receivers.size() - first);
