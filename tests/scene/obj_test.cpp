@@ -163,7 +163,7 @@ TEST_F(Obj, HolesAreReadWhereTheyAreAskedFor) {
   EXPECT_EQ(holes.numbers, (std::vector<std::uint32_t>{kWhole, 0, 1, 2}));
   EXPECT_TRUE(file.mesh.uvs.empty());
   EXPECT_TRUE(file.mesh.materials.empty());
-  for (const std::size_t triangle : {1, 2}) {
+  for (const std::size_t triangle : {1u, 2u}) {
     const glm::uvec3& corners = file.mesh.triangles[triangle];
     for (int i = 0; i < 60; ++i) {
       const glm::dvec2 place(0.1 + 0.1 * (i % 8), 0.1 * (i / 8));  // NOLINT(bugprone-integer-division)
