@@ -106,7 +106,7 @@ TEST(HoleSurvey, NeverSaysOtherwiseThanTheHoles) {
       }
     }
   }
-  for (const int count : count_of) EXPECT_GT(count, 300);
+  for (const int count : count_of) EXPECT_GT(count, 200);
 }
 
 TEST(HoleSurvey, KnowsNothingOfNumbersThatAreNone) {
