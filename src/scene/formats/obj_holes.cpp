@@ -1,7 +1,5 @@
 #include "scene/formats/obj_holes.h"
 
-#include <algorithm>
-#include <array>
 #include <stdexcept>
 #include <utility>
 
@@ -13,7 +11,7 @@ namespace lkao::scene {
 
 void ObjHoles::add(const ObjMaterial& material, std::uint32_t number, std::size_t triangle_count) {
   const std::string name = printable(material.name);
-  if (!decode_) {
+  if (!images_.is_reading()) {
     cut_outs_.push_back({name, triangle_count});
     return;
   }
@@ -32,25 +30,14 @@ void ObjHoles::add(const ObjMaterial& material, std::uint32_t number, std::size_
 
 // Null where there is none to read.
 std::shared_ptr<const AlphaImage> ObjHoles::image_of(const ObjMaterial& material) {
-  const auto [entry, is_new] = images_.try_emplace(material.map);
+  const auto [entry, is_new] = known_images_.try_emplace(material.map);
   if (!is_new) return entry->second;
   const std::string name = printable(material.map);
-  const auto add_fault = [&](const std::string& fault) {
-    faults_.push_back(fmt::format("{}: it counts as opaque, in material \"{}\"", fault, printable(material.name)));
-  };
-  const std::optional<std::string> bytes = read_beside_(material.map);
-  if (!bytes) {
-    add_fault(fmt::format("cannot read '{}': there is no such file", name));
-    return nullptr;
-  }
-  try {
-    AlphaImage image = decode_(name, *bytes, AlphaOf::alpha_or_grey);
-    if (image.size() == 0) throw std::runtime_error(name + " has no pixels");
-    image.least = *std::min_element(image.alphas.begin(), image.alphas.end());
-    entry->second = std::make_shared<const AlphaImage>(std::move(image));
-  } catch (const std::runtime_error& error) {
-    add_fault(error.what());
-  }
+  entry->second = images_.read(name, printable(material.name), AlphaOf::alpha_or_grey, [&] {
+    std::optional<std::string> bytes = read_beside_(material.map);
+    if (!bytes) throw std::runtime_error(fmt::format("cannot read '{}': there is no such file", name));
+    return *std::move(bytes);
+  });
   return entry->second;
 }
 
@@ -77,12 +64,7 @@ std::shared_ptr<const Holes> ObjHoles::of(const FileMesh& mesh) const {
 }
 
 void ObjHoles::describe(Contents& contents) {
-  constexpr std::size_t kNamedCount = 3;
-  for (std::size_t i = 0; i < std::min(faults_.size(), kNamedCount); ++i) contents.remarks.push_back(faults_[i]);
-  if (faults_.size() > kNamedCount) {
-    contents.remarks.push_back(
-        fmt::format("{} more images cannot be read, and count as opaque", faults_.size() - kNamedCount));
-  }
+  for (std::string& remark : images_.remarks()) contents.remarks.push_back(std::move(remark));
   add_cut_outs(std::move(cut_outs_), contents);
 }
 

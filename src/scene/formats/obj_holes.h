@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "scene/formats/alpha_images.h"
 #include "scene/formats/cut_outs.h"
 #include "scene/formats/file_mesh.h"
 #include "scene/formats/obj_materials.h"
@@ -18,7 +19,7 @@ namespace lkao::scene {
 class ObjHoles {
  public:
   // `decode` empty: nothing is read, and everything is whole. Both must outlive it.
-  ObjHoles(const ReadBeside& read_beside, const DecodeAlpha& decode) : read_beside_(read_beside), decode_(decode) {}
+  ObjHoles(const ReadBeside& read_beside, const DecodeAlpha& decode) : read_beside_(read_beside), images_(decode) {}
 
   // A material that so many triangles have whose FileMesh::materials is `number`. Its image is read now.
   void add(const ObjMaterial& material, std::uint32_t number, std::size_t triangle_count);
@@ -36,11 +37,10 @@ class ObjHoles {
   std::shared_ptr<const AlphaImage> image_of(const ObjMaterial& material);
 
   const ReadBeside& read_beside_;
-  const DecodeAlpha& decode_;
-  std::map<std::uint32_t, HoleMaterial> materials_;                  // by number
-  std::map<std::string, std::shared_ptr<const AlphaImage>> images_;  // by name; null: cannot be read
+  AlphaImages images_;
+  std::map<std::uint32_t, HoleMaterial> materials_;                        // by number
+  std::map<std::string, std::shared_ptr<const AlphaImage>> known_images_;  // by name; null: cannot be read
   std::vector<CutOut> cut_outs_;
-  std::vector<std::string> faults_;
 };
 
 }  // namespace lkao::scene

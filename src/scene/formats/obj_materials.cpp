@@ -24,15 +24,6 @@ double take_opacity(ObjWords& words, bool is_turned) {
   return 1;
 }
 
-bool is_number(std::string_view word) {
-  try {
-    parse_number(word);
-    return true;
-  } catch (const std::runtime_error&) {
-    return false;
-  }
-}
-
 // How many words belong to an option of a map, at most; those of vectors may be fewer.
 int most_words_of(std::string_view option) {
   if (option == "-o" || option == "-s" || option == "-t") return 3;

@@ -88,15 +88,6 @@ void parse_keyword(std::string_view kind, Header& header) {
                               (has_colours ? 4 : 0) + (header.has_texture_coordinates ? 2 : 0);
 }
 
-bool is_number(std::string_view word) {
-  try {
-    parse_number(word);
-    return true;
-  } catch (const std::runtime_error&) {
-    return false;
-  }
-}
-
 // The word behind the keyword, which may be glued to it; the keyword itself may be missing.
 std::string_view parse_beginning(Words& words, Header& header) {
   const std::string_view word = words.next();

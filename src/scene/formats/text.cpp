@@ -66,6 +66,15 @@ double parse_number(std::string_view word) {
   throw std::runtime_error(fmt::format("\"{}\" is not a number", word.substr(0, 40)));
 }
 
+bool is_number(std::string_view word) {
+  try {
+    parse_number(word);
+    return true;
+  } catch (const std::runtime_error&) {
+    return false;
+  }
+}
+
 bool equal_but_for_case(std::string_view a, std::string_view b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](char x, char y) { return to_lower(x) == to_lower(y); });
 }

@@ -26,6 +26,7 @@ std::string_view take_word(std::string_view& text);
 // One number: plain or scientific decimals, "nan", "inf", and what Windows prints for these ("-1.#IND",
 // "-nan(ind)"). Throws std::runtime_error naming the word where it is not a number.
 double parse_number(std::string_view word);
+bool is_number(std::string_view word);
 
 bool equal_but_for_case(std::string_view a, std::string_view b);
 

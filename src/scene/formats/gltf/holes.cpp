@@ -89,11 +89,11 @@ AlphaMode alpha_mode_of(const Value& material) {
 }
 
 HoleReader::HoleReader(Value root, Buffers& buffers, std::string path, const DecodeAlpha& decode)
-    : root_(std::move(root)), buffers_(buffers), path_(std::move(path)), decode_(decode) {}
+    : root_(std::move(root)), buffers_(buffers), path_(std::move(path)), read_images_(decode) {}
 
 std::vector<HoleTriangle> HoleReader::read(const Primitive& primitive, const std::vector<glm::uvec3>& triangles) {
   const std::optional<Value> index = primitive.json().find("material");
-  if (!decode_ || !index || index->count() >= size_of_list(root_, "materials")) return {};
+  if (!is_reading() || !index || index->count() >= size_of_list(root_, "materials")) return {};
   const Value material = item_of_list(root_, "materials", *index);
   if (alpha_mode_of(material) == AlphaMode::opaque) return {};
   const Look& look = look_of(material, index->count());
@@ -156,17 +156,7 @@ std::shared_ptr<const AlphaImage> HoleReader::image_of(const Value& texture, con
 std::shared_ptr<const AlphaImage> HoleReader::decode(const Value& image, const std::string& material) {
   const std::optional<Value> uri = image.find("uri");
   const std::string name = uri && !is_data_uri(uri->text()) ? printable(uri->text()) : image.place();
-  try {
-    auto decoded = std::make_shared<AlphaImage>(decode_(name, bytes_of(image, name), AlphaOf::alpha));
-    if (decoded->size() > 0) {
-      decoded->least = *std::min_element(decoded->alphas.begin(), decoded->alphas.end());
-      return decoded;
-    }
-    faults_.push_back({name + " has no pixels", material});
-  } catch (const std::runtime_error& error) {
-    faults_.push_back({error.what(), material});
-  }
-  return nullptr;
+  return read_images_.read(name, material, AlphaOf::alpha, [&] { return bytes_of(image, name); });
 }
 
 std::string HoleReader::bytes_of(const Value& image, const std::string& name) {
@@ -176,20 +166,6 @@ std::string HoleReader::bytes_of(const Value& image, const std::string& name) {
   } catch (const std::runtime_error& error) {
     throw std::runtime_error(fmt::format("cannot read '{}': {}", name, error.what()));
   }
-}
-
-std::vector<std::string> HoleReader::remarks() const {
-  constexpr std::size_t kNamedCount = 3;
-  std::vector<std::string> remarks;
-  for (const auto& [fault, material] : faults_) {
-    if (remarks.size() == kNamedCount) {
-      remarks.push_back(
-          fmt::format("{} more images cannot be read, and count as opaque", faults_.size() - kNamedCount));
-      break;
-    }
-    remarks.push_back(fmt::format("{}: it counts as opaque, in material \"{}\"", fault, material));
-  }
-  return remarks;
 }
 
 }  // namespace lkao::scene::gltf

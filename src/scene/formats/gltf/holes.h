@@ -12,6 +12,7 @@
 
 #include <glm/vec3.hpp>
 
+#include "scene/formats/alpha_images.h"
 #include "scene/formats/gltf/buffers.h"
 #include "scene/formats/gltf/primitive.h"
 #include "scene/formats/gltf/value.h"
@@ -34,7 +35,7 @@ class HoleReader {
   // whole. All must outlive it.
   HoleReader(Value root, Buffers& buffers, std::string path, const DecodeAlpha& decode);
 
-  bool is_reading() const { return static_cast<bool>(decode_); }
+  bool is_reading() const { return read_images_.is_reading(); }
 
   // Of the triangles of a primitive, with kWhole as their material where alpha is so much on all of them that nothing
   // is missing; empty where all are whole. Throws std::runtime_error with the fault where the document is wrong. An
@@ -44,17 +45,13 @@ class HoleReader {
   // Those that triangles name.
   std::vector<HoleMaterial> take_materials() { return std::move(materials_); }
   // A line each, of images that could not be read; of many, one line.
-  std::vector<std::string> remarks() const;
+  std::vector<std::string> remarks() const { return read_images_.remarks(); }
 
  private:
   // A material as triangles use it.
   struct Look {
     std::uint32_t number;  // in materials_
     std::optional<Value> texture;
-  };
-
-  struct Fault {
-    std::string line, material;
   };
 
   const Look& look_of(const Value& material, std::size_t number);
@@ -66,11 +63,10 @@ class HoleReader {
   Value root_;
   Buffers& buffers_;
   std::string path_;
-  const DecodeAlpha& decode_;
+  AlphaImages read_images_;
   std::vector<HoleMaterial> materials_;
   std::map<std::size_t, Look> looks_;                                // by material
   std::map<std::size_t, std::shared_ptr<const AlphaImage>> images_;  // by number; null: cannot be read
-  std::vector<Fault> faults_;
 };
 
 }  // namespace lkao::scene::gltf
