@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 
+#include <fmt/format.h>
 #include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 
@@ -30,6 +31,10 @@ void run_rounds(std::vector<Rival>& rivals, int thread_count) {
   });
 }
 
+std::string timing_remark(int round_count) {
+  return fmt::format("time: CPU time for one thread, wall time for several; median of {} rounds", round_count);
+}
+
 MethodResult result_of(const Rival& rival, const Masks& expected, double ray_count) {
   const auto mismatched_count = static_cast<double>(reference::count_mismatched_rays(rival.masks, expected));
   return {rival.name, rival.seconds, ray_count / method::median(rival.seconds) * 1e-6, mismatched_count / ray_count};
@@ -41,6 +46,15 @@ double speed_ratio(const MethodResult& a, const MethodResult& b) {
     ratios.push_back(b.seconds[round] / a.seconds[round]);
   }
   return method::median(ratios);
+}
+
+const MethodResult* fastest(std::span<const MethodResult> results, std::string_view prefix) {
+  const MethodResult* best = nullptr;
+  for (const MethodResult& result : results) {
+    if (!result.method.starts_with(prefix)) continue;
+    if (best == nullptr || result.mrays_per_second > best->mrays_per_second) best = &result;
+  }
+  return best;
 }
 
 }  // namespace lkao::bench

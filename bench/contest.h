@@ -3,7 +3,9 @@
 
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace lkao::bench {
@@ -29,11 +31,17 @@ struct MethodResult {
   double mismatch_rate = 0;     // share of the rays whose answer differs from robust Embree's
 };
 
+// How their times are meant, for a CSV.
+std::string timing_remark(int round_count);
+
 // Of a rival that has run.
 MethodResult result_of(const Rival& rival, const Masks& expected, double ray_count);
 
 // How many times as fast as `b` is `a`: the median of the ratios inside the rounds that both ran, which slow changes of
 // the processor's clock touch less than the ratio of the medians.
 double speed_ratio(const MethodResult& a, const MethodResult& b);
+
+// The fastest of those whose methods' names begin with `prefix`; null where there is none.
+const MethodResult* fastest(std::span<const MethodResult> results, std::string_view prefix);
 
 }  // namespace lkao::bench

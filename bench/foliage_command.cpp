@@ -1,10 +1,8 @@
 // lkao-bench foliage: rays among cards with leaves on them, lkao against Embree with the same filter.
-#include <algorithm>
 #include <cstdint>
 #include <cstdio>
 #include <memory>
 #include <span>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -83,36 +81,38 @@ Columns foliage_table_columns() {
           {"blocked_share", "{:.2f}", 7, "blocked"}};
 }
 
-bool is_lkao(const MethodResult& result) { return result.method.starts_with("lkao"); }
+// The same cards with all that is known of their holes, with the filter alone, and without holes.
+struct Hierarchies {
+  explicit Hierarchies(const scene::Mesh& mesh) : Hierarchies(mesh, scene::cut_outs_of(mesh.holes)) {}
+  Hierarchies(const scene::Mesh& mesh, const CutOuts& cut_outs)
+      : surveyed(mesh.view(), {.cut_outs = cut_outs}),
+        blind(mesh.view(), {.cut_outs = {cut_outs.opacities, cut_outs.blocks}}),
+        whole(mesh.view()) {}
 
-const MethodResult& best_of_embree(const std::vector<MethodResult>& results) {
-  return *std::max_element(results.begin(), results.end(), [](const MethodResult& a, const MethodResult& b) {
-    return is_lkao(a) > is_lkao(b) || (is_lkao(a) == is_lkao(b) && a.mrays_per_second < b.mrays_per_second);
-  });
-}
+  OccluderBvh surveyed, blind, whole;
+};
 
 class FoliageComparison {
  public:
   explicit FoliageComparison(const FoliageOptions& options)
       : options_(options),
         isas_(compared_isas(options.isas)),
-        csv_(options.csv, foliage_csv_columns(),
-             {fmt::format("time: CPU time for one thread, wall time for several; median of {} rounds",
-                          options.round_count)}) {}
+        csv_(options.csv, foliage_csv_columns(), {timing_remark(options.round_count)}) {}
 
   void run() {
     fmt::print("{}", table_heading(columns_));
     for (const std::string& name : options_.scenes.empty() ? foliage_names() : options_.scenes) {
       const StudyScene scene = make_foliage(name, 1024, 768);
-      const std::vector<Receiver> receivers = choose_tiles(scene.view, options_.tile_count);
-      if (receivers.empty()) throw std::runtime_error(name + ": no tile of the picture is half full of receivers");
+      const std::vector<Receiver> receivers = choose_tiles(scene, options_.tile_count);
+      const Hierarchies hierarchies(scene.mesh);
       const reference::EmbreeReference oracle(scene.mesh, {});
       for (const ComparedIsa& isa : isas_) {
         force_isa(isa.lkao);
         const FilteredScene rival(scene.mesh, isa.embree_config);
         for (const float radius : scene.radii) {
           for (const int ray_count : options_.ray_counts) {
-            measure(scene, receivers, oracle, rival, {.isa = isa.name, .radius = radius, .ray_count = ray_count});
+            measure(scene, hierarchies, receivers, oracle, rival,
+                    {.isa = isa.name, .radius = radius, .ray_count = ray_count});
           }
         }
       }
@@ -126,18 +126,13 @@ class FoliageComparison {
     int ray_count;
   };
 
-  AmbientOcclusion ask(const scene::Mesh& mesh, const CutOuts& cut_outs, const Question& question) const {
-    return {OccluderBvh(mesh.view(), {.cut_outs = cut_outs}),
-            SamplePattern::standard(question.ray_count),
-            {.radius = question.radius}};
-  }
-
-  void measure(const StudyScene& scene, std::span<const Receiver> receivers, const reference::EmbreeReference& oracle,
-               const FilteredScene& rival, const Question& question) {
-    const CutOuts cut_outs = scene::cut_outs_of(scene.mesh.holes);
-    const AmbientOcclusion query = ask(scene.mesh, cut_outs, question),
-                           blind = ask(scene.mesh, {cut_outs.opacities, cut_outs.blocks}, question),
-                           whole = ask(scene.mesh, {}, question);
+  void measure(const StudyScene& scene, const Hierarchies& hierarchies, std::span<const Receiver> receivers,
+               const reference::EmbreeReference& oracle, const FilteredScene& rival, const Question& question) {
+    const auto ask = [&](const OccluderBvh& occluders) {
+      return AmbientOcclusion(occluders, SamplePattern::standard(question.ray_count), {.radius = question.radius});
+    };
+    const AmbientOcclusion query = ask(hierarchies.surveyed), blind = ask(hierarchies.blind),
+                           whole = ask(hierarchies.whole);
     const Masks masks(receivers.size() * static_cast<std::size_t>(query.pattern().word_count()));
     Masks expected = masks;
     const QueryReport report = oracle.query(query, receivers, {.mask_words = expected});
@@ -163,7 +158,7 @@ class FoliageComparison {
 
   void add(const StudyScene& scene, const Question& question, int thread_count, const QueryReport& report,
            const std::vector<MethodResult>& results) {
-    const MethodResult& best = best_of_embree(results);
+    const MethodResult& best = *fastest(results, "embree");
     const MethodResult &blind = results[1], &whole = results[2];
     const auto measurement_of = [&](const MethodResult& result) -> Measurement {
       return {{"scene", scene.name},

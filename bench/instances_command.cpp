@@ -166,9 +166,7 @@ class Standing {
     std::vector<MethodResult> results;
     for (const Rival& rival : rivals) results.push_back(result_of(rival, expected, ray_count));
     const MethodResult& lkao = results.front();
-    const MethodResult& best = *std::max_element(results.begin() + 1, results.end(), [](const auto& a, const auto& b) {
-      return a.mrays_per_second < b.mrays_per_second;
-    });
+    const MethodResult& best = *fastest(results, "embree");
     const Measurement measurement = {
         {"instances", built.city.instances.size()},
         {"triangles", built.city.triangle_count},

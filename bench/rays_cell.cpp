@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <string_view>
 #include <utility>
 
 #include <tbb/blocked_range.h>
@@ -18,15 +17,6 @@
 
 namespace lkao::bench {
 namespace {
-
-template <typename Test>
-const MethodResult* fastest(const std::vector<MethodResult>& results, const Test& test) {
-  const MethodResult* best = nullptr;
-  for (const MethodResult& result : results) {
-    if (test(result.method) && (best == nullptr || result.mrays_per_second > best->mrays_per_second)) best = &result;
-  }
-  return best;
-}
 
 // What a renderer does that has no batches: a call for every receiver.
 void query_singly(const AmbientOcclusion& ao, std::span<const Receiver> receivers, Masks& masks) {
@@ -92,17 +82,11 @@ std::vector<Rival> make_rivals(const CellInput& input, const Queries& queries, i
 
 }  // namespace
 
-const MethodResult* Cell::scalar() const {
-  return fastest(results, [](std::string_view name) { return name == kScalarMethod; });
-}
+const MethodResult* Cell::scalar() const { return fastest(results, kScalarMethod); }
 
-const MethodResult& Cell::best_embree() const {
-  return *fastest(results, [](std::string_view name) { return name.starts_with("embree"); });
-}
+const MethodResult& Cell::best_embree() const { return *fastest(results, "embree"); }
 
-const MethodResult& Cell::occluded1() const {
-  return *fastest(results, [](std::string_view name) { return name.starts_with("embree1_"); });
-}
+const MethodResult& Cell::occluded1() const { return *fastest(results, "embree1_"); }
 
 std::vector<Cell> measure(const CellInput& input, const MeasureOptions& options, const Cell& question,
                           bool with_scalar) {

@@ -77,11 +77,7 @@ double error_of(const SoftShadows& shadows, std::span<const Receiver> receivers,
 
 }  // namespace
 
-const MethodResult& ShadowsCell::best_embree() const {
-  return *std::max_element(results.begin() + 2, results.end(), [](const MethodResult& a, const MethodResult& b) {
-    return a.mrays_per_second < b.mrays_per_second;
-  });
-}
+const MethodResult& ShadowsCell::best_embree() const { return *fastest(results, "embree"); }
 
 std::vector<ShadowsCell> measure_shadows(const CellInput& input, const AreaLight& light, const MeasureOptions& options,
                                          const ShadowsCell& question) {

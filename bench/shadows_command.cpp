@@ -109,9 +109,7 @@ class ShadowsComparison {
       : options_(options),
         names_(study_scene_names(options.scenes)),
         isas_(compared_isas(options.isas)),
-        csv_(options.csv, shadow_csv_columns(),
-             {fmt::format("time: CPU time for one thread, wall time for several; median of {} rounds",
-                          options.measure.round_count)}) {}
+        csv_(options.csv, shadow_csv_columns(), {timing_remark(options.measure.round_count)}) {}
 
   void run() {
     fmt::print("{}", table_heading(columns_));
@@ -120,8 +118,7 @@ class ShadowsComparison {
 
  private:
   void measure_scene(const StudyScene& scene) {
-    const std::vector<Receiver> receivers = choose_tiles(scene.view, options_.tile_count);
-    if (receivers.empty()) throw std::runtime_error(scene.name + ": no tile of the picture is half full of receivers");
+    const std::vector<Receiver> receivers = choose_tiles(scene, options_.tile_count);
     const OccluderBvh occluders(scene.mesh.view());
     const reference::EmbreeReference oracle(scene.mesh, {});
     for (const ComparedIsa& isa : isas_) {

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <stdexcept>
 #include <utility>
 
 namespace lkao::bench {
@@ -52,6 +53,12 @@ std::vector<Receiver> choose_tiles(const scene::ReceiverImage& image, int tile_c
     for (const auto& [code, pixel] : tile) chosen.push_back(image.receivers[pixel]);
   }
   return chosen;
+}
+
+std::vector<Receiver> choose_tiles(const StudyScene& scene, int tile_count) {
+  std::vector<Receiver> receivers = choose_tiles(scene.view, tile_count);
+  if (receivers.empty()) throw std::runtime_error(scene.name + ": no tile of the picture is half full of receivers");
+  return receivers;
 }
 
 }  // namespace lkao::bench
