@@ -11,9 +11,10 @@
 
 namespace lkao::bvh {
 
+inline constexpr float kInfinity = std::numeric_limits<float>::infinity();
+
 // The box around nothing, as a beginning for merge().
-inline constexpr Bounds kNowhere{glm::vec3(std::numeric_limits<float>::infinity()),
-                                 glm::vec3(-std::numeric_limits<float>::infinity())};
+inline constexpr Bounds kNowhere{glm::vec3(kInfinity), glm::vec3(-kInfinity)};
 
 inline bool is_nowhere(const Bounds& box) { return box.lower.x > box.upper.x; }
 

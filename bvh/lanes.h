@@ -2,7 +2,8 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
+
+#include "bvh/bounds.h"
 
 namespace lkao::bvh {
 
@@ -21,7 +22,6 @@ struct Box {
 };
 
 inline constexpr Box empty_box() {
-  constexpr float kInfinity = std::numeric_limits<float>::infinity();
   return {Lanes{kInfinity, kInfinity, kInfinity, 0}, Lanes{-kInfinity, -kInfinity, -kInfinity, 0}};
 }
 

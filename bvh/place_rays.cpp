@@ -2,18 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 
+#include "bvh/bounds.h"
 #include "bvh/simd_scene.h"
 
 namespace lkao::bvh {
 namespace {
-
-constexpr float kUpwards = std::numeric_limits<float>::infinity();
 
 // Lists the open rays, and rays without length up to a whole word of a mask. Returns the length of the longest.
 float pick_rays(PlacedRays& placed, float reach) {
@@ -45,7 +43,7 @@ void pick_parts(PlacedRays& placed) {
 // No part of a ray farther than this from its origin can meet the mesh. What is uncertain of all rays grows with the
 // longest; parts are shares of whole rays.
 float reach_of(const PlacedRays& placed, const Bounds& mesh) {
-  if (placed.world.parts != nullptr) return kUpwards;
+  if (placed.world.parts != nullptr) return kInfinity;
   const glm::vec3& origin = placed.rays.origin;
   const glm::vec3 farthest = glm::max(glm::abs(mesh.lower - origin), glm::abs(mesh.upper - origin));
   // Corners are not quite where they count, nor is the origin.
@@ -69,7 +67,7 @@ glm::vec3 uncertainty(const Placement& placement, const glm::vec3& origin, float
     }
     const double rounding = 0x1p-24 * (std::fabs(double{placed_origin[axis]}) + double{placed_radius});
     result[axis] =
-        placement.displacement[axis] + std::nextafter(static_cast<float>(rounding + 0x1p-45 * sum), kUpwards);
+        placement.displacement[axis] + std::nextafter(static_cast<float>(rounding + 0x1p-45 * sum), kInfinity);
   }
   return result;
 }
@@ -94,8 +92,8 @@ bool place_rays(PlacedRays& placed, const Bounds& mesh) {
   placed.face_origins[0] = rays.origin + 1.0001f * off;
   placed.face_origins[1] = rays.origin - 1.0001f * off;
   for (int axis = 0; axis < 3; ++axis) {
-    placed.face_origins[0][axis] = std::nextafter(placed.face_origins[0][axis], kUpwards);
-    placed.face_origins[1][axis] = std::nextafter(placed.face_origins[1][axis], -kUpwards);
+    placed.face_origins[0][axis] = std::nextafter(placed.face_origins[0][axis], kInfinity);
+    placed.face_origins[1][axis] = std::nextafter(placed.face_origins[1][axis], -kInfinity);
   }
   return true;
 }

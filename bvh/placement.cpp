@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
@@ -12,8 +11,6 @@
 
 namespace lkao::bvh {
 namespace {
-
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 // The nearest float that is not nearer to zero, or next to it.
 float rounded_up(double value) { return std::nextafter(static_cast<float>(value), kInfinity); }

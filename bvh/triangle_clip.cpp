@@ -3,17 +3,17 @@
 // builder, too few to call through a pointer, and wider vectors would have nothing to hold.
 #include "bvh/triangle_clip.h"
 
-#include <limits>
 #include <utility>
 
 #include <glm/vec3.hpp>
 
+#include "bvh/bounds.h"
+
 namespace lkao::bvh {
 namespace {
 
-constexpr float kFarthest = std::numeric_limits<float>::infinity();
 // 0 on the axis.
-constexpr Lanes kOthers[3] = {{0, kFarthest, kFarthest, 0}, {kFarthest, 0, kFarthest, 0}, {kFarthest, kFarthest, 0, 0}};
+constexpr Lanes kOthers[3] = {{0, kInfinity, kInfinity, 0}, {kInfinity, 0, kInfinity, 0}, {kInfinity, kInfinity, 0, 0}};
 
 struct Corner {
   Corner() = default;
