@@ -128,48 +128,24 @@ class RelativeBoxes {
     }
   }
 
-  // As rays_meeting(), for less: only after sort_faces().
-  HWY_INLINE std::uint32_t rays_of_signs_meeting(int child, const RaySet& rays, const Parts& parts, int chunk) const {
-    const RayTag tag;
-    std::uint32_t missed = 0;
-    for (int i = 0; i < kLaneCount; i += lane_count(tag)) {
-      const int first = chunk * kLaneCount + i;
-      const auto x = hn::Load(tag, rays.inverse_x + first), y = hn::Load(tag, rays.inverse_y + first),
-                 z = hn::Load(tag, rays.inverse_z + first);
-      const auto enter_x = hn::Mul(hn::Set(tag, first_face_[0][child]), x),
-                 enter_y = hn::Mul(hn::Set(tag, first_face_[1][child]), y),
-                 enter_z = hn::Mul(hn::Set(tag, first_face_[2][child]), z);
-      const auto leave_x = hn::Mul(hn::Set(tag, second_face_[0][child]), x),
-                 leave_y = hn::Mul(hn::Set(tag, second_face_[1][child]), y),
-                 leave_z = hn::Mul(hn::Set(tag, second_face_[2][child]), z);
-      const auto enter = hn::Max(hn::Max(enter_x, enter_y), hn::Max(enter_z, parts.begin(tag, first)));
-      const auto leave = hn::Min(hn::Min(leave_x, leave_y), hn::Min(leave_z, parts.end(tag, first)));
-      missed |= bits_of(tag, hn::Gt(enter, leave)) << i;
-    }
-    return ~missed;
-  }
-
   // Of the 16 rays of a chunk, those that may meet a child's box within their length. As may_meet.
   template <class Rays>
   HWY_INLINE std::uint32_t rays_meeting(int child, const Rays& rays, const Parts& parts, int chunk) const {
+    return rays_in(parts, chunk, [&](int first, RayFloats begin, RayFloats end) HWY_ATTR {
+      return range(child, rays, first, begin, end);
+    });
+  }
+
+  // The same for less: only after sort_faces().
+  HWY_INLINE std::uint32_t rays_of_signs_meeting(int child, const RaySet& rays, const Parts& parts, int chunk) const {
     const RayTag tag;
-    std::uint32_t missed = 0;
-    for (int i = 0; i < kLaneCount; i += lane_count(tag)) {
-      const int first = chunk * kLaneCount + i;
-      const auto x = hn::Load(tag, rays.inverse_x + first), y = hn::Load(tag, rays.inverse_y + first),
-                 z = hn::Load(tag, rays.inverse_z + first);
-      const auto to_x = hn::Mul(hn::Set(tag, center_[0][child]), x), to_y = hn::Mul(hn::Set(tag, center_[1][child]), y),
-                 to_z = hn::Mul(hn::Set(tag, center_[2][child]), z);
-      const auto size_x = hn::Set(tag, half_size_[0][child]), size_y = hn::Set(tag, half_size_[1][child]),
-                 size_z = hn::Set(tag, half_size_[2][child]);
-      const auto enter =
-          hn::Max(hn::Max(hn::NegMulAdd(size_x, hn::Abs(x), to_x), hn::NegMulAdd(size_y, hn::Abs(y), to_y)),
-                  hn::Max(hn::NegMulAdd(size_z, hn::Abs(z), to_z), parts.begin(tag, first)));
-      const auto leave = hn::Min(hn::Min(hn::MulAdd(size_x, hn::Abs(x), to_x), hn::MulAdd(size_y, hn::Abs(y), to_y)),
-                                 hn::Min(hn::MulAdd(size_z, hn::Abs(z), to_z), parts.end(tag, first)));
-      missed |= bits_of(tag, hn::Gt(enter, leave)) << i;
-    }
-    return ~missed;
+    const auto enter = [&](int axis, RayFloats by)
+                           HWY_ATTR { return hn::Mul(hn::Set(tag, first_face_[axis][child]), by); };
+    const auto leave = [&](int axis, RayFloats by)
+                           HWY_ATTR { return hn::Mul(hn::Set(tag, second_face_[axis][child]), by); };
+    return rays_in(parts, chunk, [&](int first, RayFloats begin, RayFloats end) HWY_ATTR {
+      return range_between(rays, first, begin, end, enter, leave);
+    });
   }
 
   // Where the 16 rays of a chunk enter and leave a child's box, as shares of them: no later, and no sooner.
@@ -177,20 +153,55 @@ class RelativeBoxes {
   HWY_INLINE void find_range(int child, const Rays& rays, int chunk, float* enter, float* leave) const {
     const RayTag tag;
     for (int i = 0; i < kLaneCount; i += lane_count(tag)) {
-      const float* const inverse[] = {rays.inverse_x, rays.inverse_y, rays.inverse_z};
-      auto first = hn::Zero(tag), last = hn::Set(tag, 1.0f);
-      for (int axis = 0; axis < 3; ++axis) {
-        const auto by = hn::Load(tag, inverse[axis] + chunk * kLaneCount + i);
-        const auto to = hn::Mul(hn::Set(tag, center_[axis][child]), by), size = hn::Set(tag, half_size_[axis][child]);
-        first = hn::Max(first, hn::NegMulAdd(size, hn::Abs(by), to));
-        last = hn::Min(last, hn::MulAdd(size, hn::Abs(by), to));
-      }
-      hn::Store(first, tag, enter + i);
-      hn::Store(last, tag, leave + i);
+      const Range all = range(child, rays, chunk * kLaneCount + i, hn::Zero(tag), hn::Set(tag, 1.0f));
+      hn::Store(all.enter, tag, enter + i);
+      hn::Store(all.leave, tag, leave + i);
     }
   }
 
  private:
+  using RayFloats = hn::Vec<RayTag>;
+  struct Range {
+    RayFloats enter, leave;
+  };
+
+  // Of a vector of rays from `first` on, from `begin` to `end`: what lies between where they enter the slabs of all
+  // axes and where they leave them. `enter(axis, by)`, `leave(axis, by)`: of one slab, by the rays' reciprocals.
+  template <class Rays, class Enter, class Leave>
+  static HWY_INLINE Range range_between(const Rays& rays, int first, RayFloats begin, RayFloats end, const Enter& enter,
+                                        const Leave& leave) {
+    const RayTag tag;
+    const auto x = hn::Load(tag, rays.inverse_x + first), y = hn::Load(tag, rays.inverse_y + first),
+               z = hn::Load(tag, rays.inverse_z + first);
+    return {hn::Max(hn::Max(enter(0, x), enter(1, y)), hn::Max(enter(2, z), begin)),
+            hn::Min(hn::Min(leave(0, x), leave(1, y)), hn::Min(leave(2, z), end))};
+  }
+
+  template <class Rays>
+  HWY_INLINE Range range(int child, const Rays& rays, int first, RayFloats begin, RayFloats end) const {
+    const RayTag tag;
+    const auto size = [&](int axis) HWY_ATTR { return hn::Set(tag, half_size_[axis][child]); };
+    const auto to = [&](int axis, RayFloats by) HWY_ATTR { return hn::Mul(hn::Set(tag, center_[axis][child]), by); };
+    const auto enter = [&](int axis, RayFloats by)
+                           HWY_ATTR { return hn::NegMulAdd(size(axis), hn::Abs(by), to(axis, by)); };
+    const auto leave = [&](int axis, RayFloats by)
+                           HWY_ATTR { return hn::MulAdd(size(axis), hn::Abs(by), to(axis, by)); };
+    return range_between(rays, first, begin, end, enter, leave);
+  }
+
+  // Those rays of a chunk of which `range(first, begin, end)` leaves something.
+  template <class RangeOf>
+  static HWY_INLINE std::uint32_t rays_in(const Parts& parts, int chunk, const RangeOf& range_of) {
+    const RayTag tag;
+    std::uint32_t missed = 0;
+    for (int i = 0; i < kLaneCount; i += lane_count(tag)) {
+      const int first = chunk * kLaneCount + i;
+      const Range left = range_of(first, parts.begin(tag, first), parts.end(tag, first));
+      missed |= bits_of(tag, hn::Gt(left.enter, left.leave)) << i;
+    }
+    return ~missed;
+  }
+
   alignas(64) float center_[3][kWidth];
   alignas(64) float half_size_[3][kWidth];
   alignas(64) float first_face_[3][kWidth], second_face_[3][kWidth];  // by sort_faces()

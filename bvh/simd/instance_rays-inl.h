@@ -178,12 +178,11 @@ class InstanceRays {
 
   // `margin`: boxes are larger by so much.
   void set_rays(const glm::vec3& margin) {
-    constexpr float kShortest = 0.5f * Node::kMargin;  // as RaySet has it
     for (int i = 0; i < count_; ++i) {
       const glm::vec3 origin = component(0, i), towards = component(3, i);
       Ray& ray = rays_[i];
       for (int axis = 0; axis < 3; ++axis) {
-        ray.inverse[axis] = 1 / std::copysign(std::max(std::fabs(towards[axis]), kShortest), towards[axis]);
+        ray.inverse[axis] = 1 / std::copysign(std::max(std::fabs(towards[axis]), RaySet::kShortest), towards[axis]);
         ray.face_origins[0][axis] = origin[axis] + margin[axis];
         ray.face_origins[1][axis] = origin[axis] - margin[axis];
         ray.origin[axis] = origin[axis];

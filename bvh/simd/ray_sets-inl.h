@@ -77,9 +77,10 @@ class RaySet {
 
   // Components shorter than half the margin of boxes count as that long, so that no product with a face overflows:
   // along such a component the ray leaves the box no later than it did.
+  static constexpr float kShortest = 0.5f * Node::kMargin;
   static void invert(const float* from, int count, float* to) {
     const RayTag tag;
-    const auto shortest = hn::Set(tag, 0.5f * Node::kMargin);
+    const auto shortest = hn::Set(tag, kShortest);
     for (int i = 0; i < count; i += lane_count(tag)) {
       const auto component = hn::Load(tag, from + i);
       const auto limited = hn::CopySign(hn::Max(hn::Abs(component), shortest), component);
