@@ -41,18 +41,13 @@ HWY_AFTER_NAMESPACE();
 #include "bvh/simd/bundle_box-inl.h"
 #include "bvh/simd/chunk_cones-inl.h"
 #include "bvh/simd/direction_cells-inl.h"
-#include "bvh/simd/holed_leaf-inl.h"
-#include "bvh/simd/leaf_frames-inl.h"
-#include "bvh/simd/leaf_planes-inl.h"
 #include "bvh/simd/ray_sets-inl.h"
 #include "bvh/simd/ray_stream-inl.h"
+#include "bvh/simd/wide_leaves-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace lkao::bvh::HWY_NAMESPACE {
 namespace {
-
-// A leaf that so many chunks meet is answered triangle by triangle, each with the chunks whose cones meet it.
-constexpr int kChunksWorthCones = 10;
 
 // kRemembers: with the query's memory of blockers.
 template <class Parts, bool kRemembers>
@@ -61,7 +56,6 @@ class SimdTraversal {
   SimdTraversal(const Layout& layout, const Query& query, const PatternCones& cones)
       : layout_(layout),
         query_(query),
-        pattern_cones_(cones),
         receiver_(layout, query),
         rays_(query),
         parts_(query),
@@ -71,6 +65,9 @@ class SimdTraversal {
         few_(bundle_.is_of_use() ? 4 + rays_.chunk_count / 2
              : asks_cones_       ? 32
                                  : 16),
+        // Narrow bundles of few rays have none.
+        leaves_(layout, query, cones, receiver_, rays_, parts_,
+                bundle_.is_of_use() && !asks_cones_ ? nullptr : &cones_),
         stream_(layout, query, receiver_, rays_) {
     if (asks_cones_) cones_.prepare();
   }
@@ -116,7 +113,7 @@ class SimdTraversal {
       if ((boxes.reached() >> child & 1) != 0) {
         ChunkMasks met;
         const ActiveRays rays = rays_meeting(boxes, child, all_rays(), met);
-        if (rays.count > 0) blocked_count = visit(layout_.leaves[memory.first().children[child].index()], rays);
+        if (rays.count > 0) blocked_count = leaves_.visit(layout_.leaves[memory.first().children[child].index()], rays);
       }
       memory.score(child, blocked_count);
     }
@@ -130,9 +127,6 @@ class SimdTraversal {
       if (query_.open.test(ray)) leaves[cells[ray]] = is_open ? BlockerMemory::kNone : rays_.blockers[ray];
     }
   }
-
-  // Narrow bundles of few rays do without.
-  bool has_cones() const { return !bundle_.is_of_use() || asks_cones_; }
 
   // A leaf that blocks so many is worth a place among the first.
   int many_rays() const { return std::max(2, query_.rays.ray_count / 32); }
@@ -275,7 +269,7 @@ class SimdTraversal {
     if (rays.count <= (child.is_leaf() ? std::popcount(rays.chunks) : few_)) {
       stream_.push(child, rays);
     } else if (child.is_leaf()) {
-      const int blocked_count = visit(layout_.leaves[child.index()], rays);
+      const int blocked_count = leaves_.visit(layout_.leaves[child.index()], rays);
       if constexpr (kRemembers) {
         if (blocked_count >= many_rays()) query_.memory->offer(child, parent.child_bounds(place), blocked_count);
       }
@@ -284,96 +278,8 @@ class SimdTraversal {
     }
   }
 
-  // Return how many rays it blocks, where that is to be remembered.
-  int visit(const Leaf& leaf, const ActiveRays& active) {
-    return HWY_UNLIKELY(receiver_.has_holes) ? visit_leaf<true>(leaf, active) : visit_leaf<false>(leaf, active);
-  }
-
-  template <bool kHasHoles>
-  int visit_leaf(const Leaf& leaf, const ActiveRays& active) {
-    const Leaf* const leaves[] = {&leaf};
-    LeafFrames<1, kHasHoles> frames(receiver_, leaves);
-    frames.decide_sides(receiver_);
-    const std::uint32_t reached = frames.reached(query_.far(), query_.rays.frame[2], pattern_cones_);
-    if (reached == 0) return 0;
-    const LeafPlanes planes(frames, query_.radius, reached);
-    const std::uint32_t holed = kHasHoles ? reached & frames.holed() & ((1u << leaf.triangle_count()) - 1) : 0;
-    int blocked_count = 0;
-    const bool use_cones = std::popcount(active.chunks) >= kChunksWorthCones && has_cones();
-    if (!use_cones && std::popcount(reached) > 2 && holed == 0) {
-      for_each_chunk(active.chunks, [&](int chunk) {
-        blocked_count += close(leaf, planes, chunk, active.masks[chunk], planes.blocked(rays_, parts_, chunk));
-      });
-      return blocked_count;
-    }
-    for (std::uint32_t triangles = reached & ~frames.holed(); triangles != 0; triangles &= triangles - 1) {
-      const int triangle = std::countr_zero(triangles);
-      std::uint64_t chunks = active.chunks;
-      if (use_cones) chunks &= planes.chunks_meeting(triangle, cones_, query_.radius);
-      for_each_chunk(chunks, [&](int chunk) {
-        const Verdict verdict = planes.blocked(triangle, rays_, parts_, chunk);
-        blocked_count += close(leaf, planes, chunk, active.masks[chunk], verdict);
-      });
-    }
-    // What whole triangles block asks nothing.
-    if constexpr (kHasHoles) blocked_count += visit_holed(leaf, planes, holed, active, use_cones);
-    return blocked_count;
-  }
-
-  int visit_holed(const Leaf& leaf, const LeafPlanes& planes, std::uint32_t triangles, const ActiveRays& active,
-                  bool use_cones) {
-    int blocked_count = 0;
-    for (; triangles != 0; triangles &= triangles - 1) {
-      const int triangle = std::countr_zero(triangles);
-      HoledPlanes holed(layout_, query_, planes, triangle, leaf.primitives[triangle]);
-      std::uint64_t chunks = active.chunks;
-      if (use_cones) chunks &= planes.chunks_meeting(triangle, cones_, query_.radius);
-      for_each_chunk(chunks, [&](int chunk) {
-        const std::uint32_t open = active.masks[chunk] & rays_.open[chunk];
-        if (open != 0) blocked_count += close(leaf, chunk, holed.blocked(rays_, parts_, chunk, open));
-      });
-    }
-    return blocked_count;
-  }
-
-  // Closes those rays of `mask` that are blocked, and returns their number where that is to be remembered.
-  HWY_INLINE int close(const Leaf& leaf, const LeafPlanes& planes, int chunk, std::uint32_t mask,
-                       const Verdict& verdict) {
-    std::uint32_t blocked = verdict.sure & mask;
-    const std::uint32_t in_doubt = verdict.perhaps & ~verdict.sure & mask;
-    if (HWY_UNLIKELY(in_doubt != 0)) blocked |= resolve(leaf, planes, chunk, in_doubt);
-    return close(leaf, chunk, blocked);
-  }
-
-  HWY_INLINE int close(const Leaf& leaf, int chunk, std::uint32_t blocked) {
-    int count = 0;
-    if constexpr (kRemembers) {
-      const std::uint32_t closed = blocked & rays_.open[chunk];
-      count = std::popcount(closed);
-      rays_.set_blocker(chunk, closed, static_cast<std::uint32_t>(&leaf - layout_.leaves.data()));
-    }
-    rays_.open[chunk] &= static_cast<std::uint16_t>(~blocked);
-    return count;
-  }
-
-  // The rays in doubt, one by one, by the triangles that may block them.
-  HWY_NOINLINE std::uint32_t resolve(const Leaf& leaf, const LeafPlanes& planes, int chunk, std::uint32_t lanes) const {
-    std::uint32_t blocked = 0;
-    for (int triangle = 0; triangle < leaf.triangle_count(); ++triangle) {
-      const std::uint32_t in_doubt = planes.blocked(triangle, rays_, parts_, chunk).perhaps & lanes & ~blocked;
-      if (in_doubt == 0) continue;
-      DefinedTriangle defined(layout_, query_, leaf.primitives[triangle]);
-      for (std::uint32_t rest = in_doubt; rest != 0; rest &= rest - 1) {
-        const int lane = std::countr_zero(rest);
-        if (defined.blocks(chunk * kLaneCount + lane)) blocked |= 1u << lane;
-      }
-    }
-    return blocked;
-  }
-
   const Layout& layout_;
   const Query& query_;
-  const PatternCones& pattern_cones_;
   LeafReceiver receiver_;
   RaySet rays_;
   Parts parts_;
@@ -384,6 +290,7 @@ class SimdTraversal {
   bool asks_cones_;
   int few_;             // rays of a node that go to the stream: not as many where they stay together
   int test_count_ = 0;  // of a chunk and a box
+  WideLeaves<Parts, kRemembers> leaves_;
   RayStream<Parts, kRemembers> stream_;
 };
 
