@@ -95,7 +95,7 @@ template <typename Answer>
 void Tracer::Visit::trace_each(std::span<const Receiver> receivers, std::uint64_t first_index, const Answer& answer) {
   const bool in_batches = traces_batches();
   const auto most = static_cast<std::size_t>(in_batches ? bvh::max_batch_receivers(tracer_.lanes_.ray_count) : 1);
-  const std::size_t room = std::min(most, receivers.size());
+  const std::size_t room = std::clamp<std::size_t>(receivers.size(), 1, most);
   // Not filled with zeros. libc++ 14 has no std::make_unique_for_overwrite.
   const std::unique_ptr<ReceiverRays[]> rays(new ReceiverRays[room]);
   std::vector<OcclusionMask> blocked(room);
