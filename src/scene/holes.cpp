@@ -139,7 +139,7 @@ bool Holes::is_seen(std::size_t triangle, const glm::dvec2& place) const {
   return alpha(triangle, place) >= materials[triangles[number].material].cut_off.value_or(kHalf);
 }
 
-CutOuts cut_outs_of(std::shared_ptr<const Holes> holes) {
+CutOuts cut_outs_of(const std::shared_ptr<const Holes>& holes) {
   if (!holes) return {};
   CutOuts cut_outs;
   cut_outs.opacities.reserve(holes->numbers.size());

@@ -98,6 +98,6 @@ struct Holes {
 };
 
 // For BuildOptions: none where `holes` is null. They share it.
-CutOuts cut_outs_of(std::shared_ptr<const Holes> holes);
+CutOuts cut_outs_of(const std::shared_ptr<const Holes>& holes);
 
 }  // namespace lkao::scene
