@@ -18,9 +18,9 @@
 #include "bench/contest.h"
 #include "bench/csv_file.h"
 #include "bench/embree_modes.h"
+#include "bench/exact_rays.h"
 #include "bench/instanced_city.h"
 #include "bench/options.h"
-#include "bench/rounding.h"
 #include "bench/tiles.h"
 #include "lkao/lkao.h"
 #include "method/median.h"
@@ -65,7 +65,9 @@ Columns standing_csv_columns() {
           {"embree_mrays_per_s", "{:.2f}"},
           {"ratio", "{:.2f}"},
           {"mismatched_rays", "{:.3g}"},
-          {"unexplained_rays"}};
+          {"wrong_rays"},
+          {"embree_wrong_rays"},
+          {"undecided_rays"}};
 }
 
 Columns standing_table_columns() {
@@ -84,7 +86,9 @@ Columns standing_table_columns() {
           {"ratio", "{:.2f}", 6},
           {"embree_mode", "{}", -28, "its best mode"},
           {"mismatched_rays", "{:.1e}", 10, "mismatched"},
-          {"unexplained_rays", "{}", 11, "unexplained"}};
+          {"wrong_rays", "{}", 5, "wrong"},
+          {"embree_wrong_rays", "{}", 7, "Embree"},
+          {"undecided_rays", "{}", 9, "undecided"}};
 }
 
 // Masks of so many receivers.
@@ -167,22 +171,24 @@ class Standing {
     for (const Rival& rival : rivals) results.push_back(result_of(rival, expected, ray_count));
     const MethodResult& lkao = results.front();
     const MethodResult& best = *fastest(results, "embree");
-    const Measurement measurement = {
-        {"instances", built.city.instances.size()},
-        {"triangles", built.city.triangle_count},
-        {"radius", ao.options().radius},
-        {"rays", options_.ray_count},
-        {"receivers", receivers.size()},
-        {"lkao_build_s", built.seconds},
-        {"embree_build_s", built.embree_seconds},
-        {"lkao_mb", built.megabytes},
-        {"embree_mb", built.embree_megabytes},
-        {"lkao_mrays_per_s", lkao.mrays_per_second},
-        {"embree_mode", best.method},
-        {"embree_mrays_per_s", best.mrays_per_second},
-        {"ratio", speed_ratio(lkao, best)},
-        {"mismatched_rays", lkao.mismatch_rate},
-        {"unexplained_rays", count_unexplained(ao, receivers, rivals.front().masks, expected)}};
+    const Disagreement decided = decide_exactly(ao, receivers, rivals.front().masks, expected);
+    const Measurement measurement = {{"instances", built.city.instances.size()},
+                                     {"triangles", built.city.triangle_count},
+                                     {"radius", ao.options().radius},
+                                     {"rays", options_.ray_count},
+                                     {"receivers", receivers.size()},
+                                     {"lkao_build_s", built.seconds},
+                                     {"embree_build_s", built.embree_seconds},
+                                     {"lkao_mb", built.megabytes},
+                                     {"embree_mb", built.embree_megabytes},
+                                     {"lkao_mrays_per_s", lkao.mrays_per_second},
+                                     {"embree_mode", best.method},
+                                     {"embree_mrays_per_s", best.mrays_per_second},
+                                     {"ratio", speed_ratio(lkao, best)},
+                                     {"mismatched_rays", lkao.mismatch_rate},
+                                     {"wrong_rays", decided.first_wrong},
+                                     {"embree_wrong_rays", decided.second_wrong},
+                                     {"undecided_rays", decided.undecided}};
     csv_.write(measurement);
     Measurement shown = measurement;
     shown[1].second = static_cast<double>(built.city.triangle_count);
