@@ -82,7 +82,7 @@ def measure(library, arrays, ray_count, rounds):
 def main():
     if len(sys.argv) < 3:
         sys.exit(__doc__)
-    library = ctypes.CDLL(f"{sys.argv[1]}/bin/liblkao_bench_python.so")
+    library = ctypes.CDLL(f"{sys.argv[1]}/bench/liblkao_bench_python.so")
     library.lkao_bench_open.restype = ctypes.c_void_p
     library.lkao_bench_query.restype = ctypes.c_double
     library.lkao_bench_provenance.restype = ctypes.c_char_p
