@@ -34,9 +34,9 @@
 //           changed, by one at a time. Destroying is using: nobody else may use the handle then, or later. Builds and
 //           batches run in parallel on oneTBB's threads, on as many as `thread_count` says. Results do not depend on
 //           it.
-// Callbacks are called from any of these threads, one call at a time but for lkao_cut_out_filter, and get the `user`
-// pointer that was given with
-//           them. They may call the interface, but must neither throw nor jump out.
+// Callbacks are called from any of these threads, one call at a time but for lkao_cut_out_filter and
+//           lkao_cut_out_survey, and get the `user` pointer that was given with them. They may call the interface, but
+//           must neither throw nor jump out.
 //
 // The promise of its ABI: for as long as the library is called liblkao_c.so.0, a program that was compiled with older
 // headers of that name runs, unchanged, with a newer library. No function goes and none changes its arguments; numbers

@@ -56,6 +56,19 @@ CutOuts cut_outs_of(const lkao_build_options& options) {
       return filter(user, instance, primitive, u, v) != 0;
     };
   }
+  if (options.cut_out_survey != nullptr) {
+    if (options.cut_out_filter == nullptr) {
+      refuse("options->cut_out_survey must be NULL without options->cut_out_filter, which it speaks of");
+    }
+    result.survey = [survey = options.cut_out_survey, user = options.cut_out_user](std::uint32_t primitive, float u0,
+                                                                                   float v0, float size) {
+      return word(kCutOutParts, survey(user, primitive, u0, v0, size), "what options->cut_out_survey returns");
+    };
+  }
+  if (options.cut_out_look_count > 0) {
+    const std::uint32_t* const first = needed(options.cut_out_looks, "options->cut_out_looks");
+    result.looks.assign(first, first + options.cut_out_look_count);
+  }
   return result;
 }
 

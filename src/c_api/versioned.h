@@ -7,12 +7,15 @@
 #include <string>
 
 #include "c_api/errors.h"
+#include "lkao/c/bvh.h"
 
 namespace lkao::c_api {
 
 // The size that a struct had when liblkao_c first had it. One that grows gets a specialisation with that size.
 template <typename Struct>
 inline constexpr std::size_t kFirstSize = sizeof(Struct);
+template <>
+inline constexpr std::size_t kFirstSize<lkao_build_options> = offsetof(lkao_build_options, cut_out_survey);
 
 // What a struct's size may be beyond what this library knows; more is no size but what lay there.
 inline constexpr std::size_t kLargestUnknown = 4096;

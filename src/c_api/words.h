@@ -20,6 +20,7 @@ inline constexpr std::array kAddressings{PlaneAddressing::cube, PlaneAddressing:
 inline constexpr std::array kPlaneMasks{PlaneMasks::nearest, PlaneMasks::must_may};
 inline constexpr std::array kSidednesses{Sidedness::two_sided, Sidedness::one_sided};
 inline constexpr std::array kMeshStorages{MeshStorage::copy, MeshStorage::refer};
+inline constexpr std::array kCutOutParts{CutOutPart::mixed, CutOutPart::clear, CutOutPart::opaque};
 inline constexpr std::array kKernels{Kernel::simd, Kernel::scalar};
 inline constexpr std::array kNodeMasks{NodeMasks::bounding_sphere, NodeMasks::box_outline};
 

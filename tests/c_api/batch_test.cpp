@@ -248,47 +248,6 @@ TEST(CBvh, RefitsAsThatOfCpp) {
   EXPECT_THAT(lkao_last_error(), testing::HasSubstr("max_growth"));
 }
 
-TEST(CBvh, CutsOutAsThatOfCpp) {
-  const Mesh mesh = random_soup(300, 0.2f, 3);
-  std::vector<float> opacities(300, 0.5f);
-  const CutOutFilter blocks = [](std::uint32_t, std::uint32_t primitive, float u, float) {
-    return primitive % 2 == 0 && u < 0.5f;
-  };
-  const lkao_mesh view = c_mesh(mesh);
-  const std::vector<Receiver> receivers = random_receivers(40, 1, 11);
-  for (const bool has_filter : {false, true}) {
-    lkao_build_options options = LKAO_BUILD_OPTIONS_INIT;
-    options.opacities = opacities.data(), options.opacity_count = opacities.size();
-    if (has_filter) {
-      options.cut_out_filter = [](void* user, std::uint32_t instance, std::uint32_t primitive, float u, float v) {
-        return static_cast<int>((*static_cast<const CutOutFilter*>(user))(instance, primitive, u, v));
-      };
-      options.cut_out_user = const_cast<CutOutFilter*>(&blocks);
-    }
-    const OwnedScene scene = made<OwnedScene>(lkao_scene_create, &view, &options);
-    const OwnedAo ao = c_ao(scene, c_pattern(64), c_rays(0.5f));
-    const CutOuts cut_outs{opacities, has_filter ? blocks : CutOutFilter()};
-    const AmbientOcclusion expected(OccluderBvh(mesh.view(), {.cut_outs = cut_outs}), SamplePattern::standard(64),
-                                    {.radius = 0.5f});
-    const AmbientOcclusion whole(OccluderBvh(mesh.view()), SamplePattern::standard(64), {.radius = 0.5f});
-    int difference = 0;
-    for (std::size_t i = 0; i < receivers.size(); ++i) {
-      const lkao_receiver receiver = c_receiver(receivers[i]);
-      std::uint64_t mask = 0;
-      ASSERT_EQ(lkao_ao_blocked(ao.get(), &receiver, i, &mask, 1), LKAO_OK);
-      const OcclusionMask right = expected.blocked(receivers[i], i);
-      ASSERT_EQ(mask, right.words[0]);
-      difference += whole.blocked(receivers[i], i).count() - right.count();
-    }
-    EXPECT_GT(difference, 20);
-  }
-  lkao_build_options wrong = LKAO_BUILD_OPTIONS_INIT;
-  wrong.opacity_count = 300;
-  lkao_bvh* bvh = nullptr;
-  EXPECT_EQ(lkao_bvh_create(&view, &wrong, &bvh), LKAO_ERROR_INVALID_ARGUMENT);
-  EXPECT_STREQ(lkao_last_error(), "lkao_bvh_create: options->opacities must not be NULL");
-}
-
 TEST(CBvh, CountsWhatItDrops) {
   Mesh mesh = closed_box();
   mesh.positions.emplace_back(std::nanf(""), 0, 0);

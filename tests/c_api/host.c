@@ -289,6 +289,49 @@ static void check_lights(const lkao_scene* scene, const lkao_pattern* pattern) {
   OK(lkao_sky_destroy(sky));
 }
 
+static int is_low(void* user, uint32_t instance, uint32_t primitive, float u, float v) {
+  (void)instance, (void)primitive, (void)u;
+  ++*(int*)user;
+  return v < 0.1f;
+}
+
+static lkao_cut_out_part survey_low(void* user, uint32_t primitive, float u0, float v0, float size) {
+  (void)user, (void)primitive, (void)u0;
+  if (v0 >= 0.1f) return LKAO_CUT_OUT_CLEAR;
+  return v0 + size < 0.1f ? LKAO_CUT_OUT_OPAQUE : LKAO_CUT_OUT_MIXED;
+}
+
+/* The wall is there to half a meter. Its triangles, which have holes, look alike. */
+static void check_cut_outs(const lkao_pattern* pattern) {
+  static const float opacities[4] = {1, 1, 0, 0};
+  static const uint32_t looks[4] = {0, 0, 1, 1};
+  const lkao_mesh mesh = wall();
+  const lkao_receiver receiver = foot_of_the_wall();
+  lkao_build_options options = LKAO_BUILD_OPTIONS_INIT;
+  lkao_ray_options rays = LKAO_RAY_OPTIONS_INIT;
+  uint64_t masks[2][LKAO_MAX_WORD_COUNT];
+  int asked[2] = {0, 0}, i;
+  rays.radius = 2;
+  options.thread_count = 1;
+  options.opacities = opacities;
+  options.opacity_count = options.cut_out_look_count = 4;
+  options.cut_out_looks = looks;
+  options.cut_out_filter = is_low;
+  for (i = 0; i < 2; ++i) {
+    lkao_scene* scene = NULL;
+    lkao_ao* ao = NULL;
+    options.cut_out_user = &asked[i];
+    options.cut_out_survey = i == 0 ? NULL : survey_low;
+    OK(lkao_scene_create(&mesh, &options, &scene));
+    OK(lkao_ao_create(scene, pattern, &rays, LKAO_SIMD, &ao));
+    OK(lkao_ao_blocked(ao, &receiver, 0, masks[i], LKAO_MAX_WORD_COUNT));
+    OK(lkao_ao_destroy(ao));
+    OK(lkao_scene_destroy(scene));
+  }
+  CHECK(memcmp(masks[0], masks[1], sizeof(masks[0])) == 0);
+  CHECK(masks[0][0] != 0 && masks[0][0] != ~(uint64_t)0 && asked[0] > 50 && asked[1] < asked[0] / 4);
+}
+
 int main(void) {
   lkao_scene* scene = make_scene();
   lkao_pattern* pattern = make_pattern();
@@ -298,6 +341,7 @@ int main(void) {
   CHECK(lkao_version()[0] == '0' + LKAO_VERSION_MAJOR);
   check_queries(scene, pattern);
   check_lights(scene, pattern);
+  check_cut_outs(pattern);
   OK(lkao_scene_destroy(scene));
   OK(lkao_pattern_destroy(pattern));
   CHECK(lkao_live_handle_count() == 0);

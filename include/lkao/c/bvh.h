@@ -53,6 +53,19 @@ typedef struct lkao_bounds {
 // all their threads at once.
 typedef int (*lkao_cut_out_filter)(void* user, uint32_t instance, uint32_t primitive, float u, float v);
 
+// What a filter says of all points of a part of a triangle.
+typedef int32_t lkao_cut_out_part;
+enum {
+  LKAO_CUT_OUT_MIXED = 0,  // this here and that there, or nobody knows
+  LKAO_CUT_OUT_CLEAR = 1,  // that no ray is blocked
+  LKAO_CUT_OUT_OPAQUE = 2  // that every ray is blocked
+};
+
+// What the filter says of the points of a triangle with u0 <= u <= u0 + size and v0 <= v <= v0 + size, whatever the
+// instance. What is wrong here is wrong in queries; what is none of the three is LKAO_ERROR_INVALID_ARGUMENT of the
+// build. Called in builds alone, from all their threads at once.
+typedef lkao_cut_out_part (*lkao_cut_out_survey)(void* user, uint32_t primitive, float u0, float v0, float size);
+
 typedef struct lkao_build_options {
   size_t size;
   int32_t spatial_splits;  // 0 or 1: cut long triangles; faster queries, 3 to 6 times as long to build
@@ -65,10 +78,16 @@ typedef struct lkao_build_options {
   const float* opacities;  // by primitive, from 0 to 1, packed; NULL: none
   size_t opacity_count;
   lkao_cut_out_filter cut_out_filter;  // NULL: a ray is blocked with the opacity's probability
-  void* cut_out_user;
+  void* cut_out_user;                  // for the filter and the survey
+  // Spares most rays the filter: triangles with holes are looked at beforehand, square by square, and where one is all
+  // clear or all opaque nothing is asked. Masks are the same, leaves and fences several times as fast.
+  lkao_cut_out_survey cut_out_survey;  // NULL: every ray asks; otherwise there must be a filter
+  // For the survey, by primitive: triangles of the same number have the same holes, of which it is asked once.
+  const uint32_t* cut_out_looks;  // packed; NULL: each has its own
+  size_t cut_out_look_count;
 } lkao_build_options;
 #define LKAO_BUILD_OPTIONS_INIT \
-  { sizeof(lkao_build_options), 1, 0, LKAO_STORAGE_COPY, 0, NULL, NULL, NULL, 0, NULL, NULL }
+  { sizeof(lkao_build_options), 1, 0, LKAO_STORAGE_COPY, 0, NULL, NULL, NULL, 0, NULL, NULL, NULL, NULL, 0 }
 
 // What the build found and made. Every triangle of the mesh is an occluder or counted as dropped.
 typedef struct lkao_build_report {
