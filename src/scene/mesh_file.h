@@ -25,9 +25,10 @@ struct ReadOptions {
   bool objects = false;
   // Reads images for holes by transparency (Mesh::holes). Of glTF: alphaMode MASK is exact, BLEND by chance. Of OBJ, by
   // chance: what "d" or "Tr" says, times the alpha of the image of "map_d", or how bright it is where it has none, so
-  // that an image of black and white alone is exact; of its options "-clamp" is obeyed. Other formats know none.
-  // Without it triangles of such materials are whole, and a remark says so. An image that cannot be read counts as
-  // opaque, so that the alpha of factor and colours is left, and is a remark as well.
+  // that an image of black and white alone is exact; of its options "-s", "-o" and "-clamp" are obeyed, and a remark
+  // names others that would change it. Other formats know none. Without it triangles of such materials are whole, and a
+  // remark says so. An image that cannot be read counts as opaque, so that the alpha of factor and colours is left, and
+  // is a remark as well.
   DecodeAlpha decode_alpha = {};
 };
 

@@ -186,6 +186,38 @@ TEST_F(Obj, HolesAreReadWhereTheyAreAskedFor) {
   EXPECT_EQ(open(text).mesh.holes, nullptr);
 }
 
+TEST_F(Obj, MapsOfHolesMayBeScaledAndMoved) {
+  folder_.write("mask.img", alpha_file(2, 1, {'\xff', '\0'}));
+  folder_.write("a.mtl",
+                "newmtl leaf\nmap_d -s 2 -1 -o 0.25 1.5 mask.img\nnewmtl other\nmap_d -o 3 mask.img\n"
+                "newmtl last\nmap_d mask.img\n");
+  const std::string text = "mtllib a.mtl\n" + kPoints + "vt 0 0\nvt 1 0\nvt 0 1\n";
+  const std::string face = "f 1/1 2/2 3/3\n";
+  const MeshFile file = open_mesh_file(folder_.write("a.obj", text + "usemtl leaf\n" + face + "usemtl last\n" + face +
+                                                                  "usemtl other\nf 1 2/2 3\n" + face),
+                                       {.decode_alpha = decode_alpha_file});
+  ASSERT_NE(file.mesh.holes, nullptr);
+  using Uvs = std::array<glm::vec2, 3>;
+  const std::vector<HoleTriangle>& triangles = file.mesh.holes->triangles;
+  ASSERT_EQ(triangles.size(), 4u);
+  EXPECT_EQ(triangles[0].uvs, (Uvs{glm::vec2(0.25f, -0.5f), glm::vec2(2.25f, -0.5f), glm::vec2(0.25f, 0.5f)}));
+  EXPECT_EQ(triangles[1].uvs, (Uvs{glm::vec2(0, 1), glm::vec2(1, 1), glm::vec2(0, 0)}));
+  EXPECT_EQ(triangles[2].uvs, (Uvs{glm::vec2(0), glm::vec2(4, 1), glm::vec2(0)}));
+  EXPECT_EQ(triangles[3].uvs, (Uvs{glm::vec2(3, 1), glm::vec2(4, 1), glm::vec2(3, 0)}));
+  EXPECT_EQ(file.contents.remarks.size(), 3u);  // that each is half-transparent
+}
+
+TEST_F(Obj, OptionsOfMapsThatAreNotObeyedAreSaid) {
+  folder_.write("mask.img", alpha_file(2, 1, {'\xff', '\0'}));
+  folder_.write("a.mtl",
+                "newmtl a\nmap_d -mm 0 2 -t 0 0.1 -blendu off mask.img\nnewmtl b\nmap_d -imfchan r mask.img\n"
+                "newmtl c\nmap_d -mm 0 1 -t 0 0 0 -imfchan m mask.img\nnewmtl unused\nmap_d -mm 1 1 mask.img\n");
+  const std::string text = "mtllib a.mtl\n" + kPoints + "usemtl a\nf 1 2 3\nusemtl b\nf 1 2 3\nusemtl c\nf 1 2 3\n";
+  const MeshFile file = open_mesh_file(folder_.write("a.obj", text), {.decode_alpha = decode_alpha_file});
+  ASSERT_EQ(file.contents.remarks.size(), 4u);
+  EXPECT_EQ(file.contents.remarks[0], "map_d: -mm, -t of material \"a\" and of 1 more are not obeyed");
+}
+
 TEST_F(Obj, ImagesOfHolesThatCannotBeReadAreSaid) {
   folder_.write("short.img", "x");
   folder_.write("a.mtl", "newmtl a\nmap_d no.img\nnewmtl b\nmap_d short.img\nd 0.5\nnewmtl c\nmap_d no.img\n");

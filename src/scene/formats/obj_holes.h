@@ -34,13 +34,23 @@ class ObjHoles {
   void describe(Contents& contents);
 
  private:
+  struct Look {
+    HoleMaterial material = {};
+    glm::dvec2 scale{1}, offset{0};  // as of ObjOpacityMap
+
+    glm::vec2 shown_at(const glm::vec2& uv) const;
+  };
+
+  void note_ignored(const ObjMaterial& material);
   std::shared_ptr<const AlphaImage> image_of(const ObjMaterial& material);
 
   const ReadBeside& read_beside_;
   AlphaImages images_;
-  std::map<std::uint32_t, HoleMaterial> materials_;                        // by number
+  std::map<std::uint32_t, Look> materials_;                                // by number
   std::map<std::string, std::shared_ptr<const AlphaImage>> known_images_;  // by name; null: cannot be read
   std::vector<CutOut> cut_outs_;
+  std::string ignored_;  // options of the first material whose map has some that are not obeyed
+  std::size_t ignored_count_ = 0;
 };
 
 }  // namespace lkao::scene

@@ -30,8 +30,29 @@ int most_words_of(std::string_view option) {
   return option == "-mm" ? 2 : 1;
 }
 
+// The number `i` of a vector.
+void take_number_of(glm::dvec2& vector, int i, std::string_view word) {
+  if (i < 2 && is_number(word)) vector[i] = parse_number(word);
+}
+
+// Whether the word `i` behind an option leaves the image as it is.
+bool is_harmless(std::string_view option, int i, std::string_view word) {
+  if (option == "-mm") return is_number(word) && parse_number(word) == i;
+  if (option == "-t") return is_number(word) && parse_number(word) == 0;
+  return option != "-imfchan" || word == "m";
+}
+
+void take_value(std::string_view option, int i, std::string_view word, ObjOpacityMap& map) {
+  if (option == "-clamp") map.clamps = word == "on";
+  if (option == "-s") take_number_of(map.scale, i, word);
+  if (option == "-o") take_number_of(map.offset, i, word);
+  const bool is_known = std::find(map.ignored.begin(), map.ignored.end(), option) != map.ignored.end();
+  if (!is_known && !is_harmless(option, i, word)) map.ignored.emplace_back(option);
+}
+
 // Options come first, and the name is what is left: it may have blanks.
-void take_map(ObjWords& words, ObjMaterial& material) {
+ObjOpacityMap take_map(ObjWords& words) {
+  ObjOpacityMap map;
   std::string_view rest = words.take_rest();
   while (rest.starts_with('-')) {
     ObjWords option(rest);
@@ -41,12 +62,13 @@ void take_map(ObjWords& words, ObjMaterial& material) {
       ObjWords value(behind);
       const std::string_view word = value.take_word();
       if (i > 0 && !is_number(word)) break;
-      if (name == "-clamp") material.clamps = word == "on";
+      take_value(name, i, word, map);
       behind = value.take_rest();
     }
     rest = behind;
   }
-  material.map = rest;
+  map.name = rest;
+  return map;
 }
 
 }  // namespace
@@ -61,7 +83,7 @@ std::vector<ObjMaterial> see_through_materials(std::string_view text) {
     } else if (materials.empty()) {
       continue;
     } else if (keyword == "map_d" || keyword == "map_D" || keyword == "map_Tr") {
-      take_map(words, materials.back());
+      materials.back().map = take_map(words);
     } else if (keyword == "d") {
       materials.back().opacity = take_opacity(words, false);
     } else if (keyword == "Tr") {
@@ -71,7 +93,7 @@ std::vector<ObjMaterial> see_through_materials(std::string_view text) {
     }
   }
   std::erase_if(materials, [](const ObjMaterial& material) {
-    return material.name.empty() || (material.opacity == 1 && material.map.empty());
+    return material.name.empty() || (material.opacity == 1 && material.map.name.empty());
   });
   return materials;
 }
