@@ -1,6 +1,7 @@
 // Float images with named channels, to and from files through OpenImageIO.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,6 +26,10 @@ Image read_image(const std::string& path);
 
 // The same of a PNG, JPEG or WebP in memory; `path` is what messages name.
 Image decode_image(const std::string& path, std::string_view bytes);
+
+// The alpha of every pixel, row by row: 0 is clear, 65535 opaque, alphas of 8 and of 16 bits exactly. An image without
+// is opaque everywhere; or, with `or_brightness`, as opaque as it is bright, for images that show nothing else.
+std::vector<std::uint16_t> alphas_of(const Image& image, bool or_brightness);
 
 // Writes by the file name's ending: .exr as 32-bit float, all channels, bit for bit; .png as 8 bits, 1 to 4 channels,
 // values as they are (sRGB-encoded already), clamped to [0, 1] and rounded, NaN as 0. Equal images are equal files: the
