@@ -97,7 +97,7 @@ if(TARGET lkao_python)
                           "${CMAKE_INSTALL_PREFIX}"
                   OUTPUT_VARIABLE lkao_python_folder OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
   set(LKAO_PYTHON_DIR "${lkao_python_folder}" CACHE STRING "Where the Python package is installed, below the prefix")
-  install(TARGETS lkao_python LIBRARY DESTINATION "${LKAO_PYTHON_DIR}/lkao" COMPONENT lkao_python)
+  install(TARGETS lkao_python lkao_image_codec LIBRARY DESTINATION "${LKAO_PYTHON_DIR}/lkao" COMPONENT lkao_python)
   install(DIRECTORY "${PROJECT_SOURCE_DIR}/src/python/lkao" DESTINATION "${LKAO_PYTHON_DIR}" COMPONENT lkao_python
           FILES_MATCHING PATTERN "*.py" PATTERN "*.pyi" PATTERN py.typed PATTERN __pycache__ EXCLUDE
                          PATTERN .mypy_cache EXCLUDE)

@@ -6,7 +6,7 @@
 #   lkao::lkao <- src/c_api: lkao::c, which nobody else sees
 #   lkao::lkao <- src/scene <- src/reference, src/lod, src/bake      lkao::gl, src/scene <- src/raster
 #   all of these but src/bake, src/image <- src/method; with it <- src/cli, bench
-#   lkao::lkao, src/scene, src/bake, src/lod, src/raster <- src/python, which nobody else sees
+#   lkao::lkao, src/scene, src/bake, src/lod, src/image, src/raster <- src/python, which nobody else sees
 
 cmake_minimum_required(VERSION 3.25)
 
@@ -30,7 +30,7 @@ set(may_include_src/reference lkao lut bvh query scene reference tbb embree)
 set(may_include_src/raster lkao gpu scene raster epoxy)
 set(may_include_src/method lkao scene lod image reference raster method tbb)
 set(may_include_src/cli lkao scene bake lod image method cli tbb)
-set(may_include_src/python lkao scene bake lod raster python tbb)
+set(may_include_src/python lkao scene bake lod image raster python tbb)
 set(may_include_bench lkao lut bvh query scene bake lod image reference raster method bench tbb embree)
 
 # Within gpu/.

@@ -16,6 +16,7 @@ void bind_bundles(py::module_& module);
 void bind_lights(py::module_& module);
 void bind_meshes(py::module_& module);
 void bind_levels(py::module_& module);
+void bind_holes(py::module_& module);
 void bind_surfaces(py::module_& module);
 void bind_baking(py::module_& module);
 void bind_textures(py::module_& module);

@@ -6,6 +6,7 @@
 #include <pybind11/stl.h>
 
 #include "python/bindings.h"
+#include "python/holes.h"
 #include "python/long_call.h"
 #include "python/words.h"
 #include "scene/load.h"
@@ -64,29 +65,32 @@ py::object of_corners(const std::vector<Value>& values, const std::vector<glm::u
 }
 
 // All that a file says of its surface: positions less the origin, triangles, the origin; normals and texture
-// coordinates of corners, materials of triangles, or None; their names and (u, v) wraps; remarks.
-py::tuple open_file(const std::string& name, int uv_set) {
+// coordinates of corners, materials of triangles, holes, or None; names and (u, v) wraps of the materials; remarks.
+py::tuple open_file(const std::string& name, int uv_set, bool opaque) {
   scene::MeshFile file = [&] {
     const py::gil_scoped_release unlocked;
-    return scene::open(name, {.uv_set = uv_set});
+    return scene::open(name, {.uv_set = uv_set, .decode_alpha = opaque ? nullptr : scene::DecodeAlpha(decode_alpha)});
   }();
   scene::Mesh& mesh = file.mesh;
   const py::object normals = of_corners(mesh.normals, mesh.normal_corners, scene::kNoNormal);
   const py::object uvs = of_corners(mesh.uvs, mesh.uv_corners, scene::kNoUv);
   py::object materials = py::none();
   if (!mesh.materials.empty()) materials = row_of(std::move(mesh.materials));
+  const py::object holes = mesh.holes ? py::cast(MeshHoles{mesh.holes}) : py::none();
   py::list wraps;
   for (const scene::TextureWraps& wrap : file.contents.wraps) {
     wraps.append(py::make_tuple(word_of(kWraps, wrap.u), word_of(kWraps, wrap.v)));
   }
   return py::make_tuple(rows_of(std::move(mesh.positions)), rows_of(std::move(mesh.triangles)), triple_of(mesh.origin),
-                        normals, uvs, materials, file.contents.materials, wraps, file.contents.remarks);
+                        normals, uvs, materials, holes, file.contents.materials, wraps, file.contents.remarks);
 }
 
 // Of every pixel, row by row from the top: positions less the origin, normals, geometric normals, depths.
-py::tuple view(const py::array& positions, const py::array& triangles, const Triple& origin, const Triple& eye,
-               const Triple& target, const Triple& up, float fov, int width, int height, bool smooth) {
-  const scene::Mesh mesh = mesh_of(positions, triangles, origin);
+py::tuple view(const py::array& positions, const py::array& triangles, const Triple& origin, const MeshHoles* holes,
+               const Triple& eye, const Triple& target, const Triple& up, float fov, int width, int height,
+               bool smooth) {
+  scene::Mesh mesh = mesh_of(positions, triangles, origin);
+  mesh.holes = holes_of(holes, mesh.triangles.size());
   const scene::Camera camera = camera_of(eye, target, up, fov);
   const scene::NormalSource source = smooth ? scene::NormalSource::smooth : scene::NormalSource::facet;
   scene::ReceiverImage image = long_call(
@@ -108,9 +112,10 @@ py::tuple view(const py::array& positions, const py::array& triangles, const Tri
 
 void bind_meshes(py::module_& module) {
   module.def("load", &load, py::arg("name"));
-  module.def("open_file", &open_file, py::arg("name"), py::arg("uv_set"));
-  module.def("view", &view, py::arg("positions"), py::arg("triangles"), py::arg("origin"), py::arg("eye"),
-             py::arg("target"), py::arg("up"), py::arg("fov"), py::arg("width"), py::arg("height"), py::arg("smooth"));
+  module.def("open_file", &open_file, py::arg("name"), py::arg("uv_set"), py::arg("opaque"));
+  module.def("view", &view, py::arg("positions"), py::arg("triangles"), py::arg("origin"), py::arg("holes"),
+             py::arg("eye"), py::arg("target"), py::arg("up"), py::arg("fov"), py::arg("width"), py::arg("height"),
+             py::arg("smooth"));
 }
 
 }  // namespace lkao::python

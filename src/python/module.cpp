@@ -13,6 +13,7 @@ PYBIND11_MODULE(_lkao, module) {
       "A call was stopped by its progress function, which returned False.";
   module.def("active_isa", &lkao::active_isa);
   lkao::python::bind_patterns(module);
+  lkao::python::bind_holes(module);
   lkao::python::bind_scenes(module);
   lkao::python::bind_receivers(module);
   lkao::python::bind_queries(module);

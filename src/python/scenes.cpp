@@ -6,6 +6,7 @@
 #include "lkao/occluder_scene.h"
 #include "python/arrays.h"
 #include "python/bindings.h"
+#include "python/holes.h"
 #include "python/long_call.h"
 
 namespace lkao::python {
@@ -13,7 +14,8 @@ namespace {
 
 OccluderScene make_scene(const py::array& positions, const py::array& triangles, const Triple& origin,
                          bool spatial_splits, bool keep_zero_area, bool refer,
-                         const std::optional<py::array>& opacities, int thread_count, const py::object& progress) {
+                         const std::optional<py::array>& opacities, const MeshHoles* holes, int thread_count,
+                         const py::object& progress) {
   const TriangleMesh mesh{positions_of(positions, origin), triangles_of(triangles)};
   BuildOptions options{.spatial_splits = spatial_splits,
                        .keep_zero_area = keep_zero_area,
@@ -22,8 +24,11 @@ OccluderScene make_scene(const py::array& positions, const py::array& triangles,
     const std::span<const float> values = packed<float>(*opacities);
     options.cut_outs.opacities.assign(values.begin(), values.end());
   }
-  return long_call(thread_count, progress,
-                   [&](const Progress& watch) { return OccluderScene(OccluderBvh(mesh, options, watch)); });
+  const std::shared_ptr<const scene::Holes> own_holes = holes_of(holes, mesh.triangles.size());
+  return long_call(thread_count, progress, [&](const Progress& watch) {
+    if (own_holes) options.cut_outs = scene::cut_outs_of(own_holes);
+    return OccluderScene(OccluderBvh(mesh, options, watch));
+  });
 }
 
 OccluderScene refitted(const OccluderScene& scene, const py::array& positions, const Triple& origin, double max_growth,
@@ -131,7 +136,7 @@ void bind_scenes(py::module_& module) {
   py::class_<OccluderScene>(module, "OccluderScene")
       .def_static("make", &make_scene, py::arg("positions"), py::arg("triangles"), py::arg("origin"),
                   py::arg("spatial_splits"), py::arg("keep_zero_area"), py::arg("refer"), py::arg("opacities"),
-                  py::arg("thread_count"), py::arg("progress"))
+                  py::arg("holes"), py::arg("thread_count"), py::arg("progress"))
       .def_static("make_instances", &make_instances, py::arg("meshes"), py::arg("to_world"), py::arg("mesh_numbers"),
                   py::arg("groups"), py::arg("thread_count"))
       .def("instances", &instances_of)

@@ -44,6 +44,7 @@ class CMakeBuild(build_ext):
         target.parent.mkdir(parents=True, exist_ok=True)
         for module in (build / "python/lkao").glob("_lkao*.so"):
             shutil.copy2(module, target)
+        shutil.copy2(build / "python/lkao/lkao_image_codec.so", target.parent)
 
 
 setup(version=version(), ext_modules=[Extension("lkao._lkao", sources=[])], cmdclass={"build_ext": CMakeBuild})

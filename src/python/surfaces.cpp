@@ -74,6 +74,7 @@ Surface::Surface(const py::array& positions, const py::array& triangles, const T
   if (more.normals) take_normals(*more.normals, mesh_);
   if (more.uvs) take_uvs(*more.uvs, mesh_);
   if (more.materials) take_materials(*more.materials, mesh_);
+  mesh_.holes = holes_of(more.holes, triangle_count_);
   const py::gil_scoped_release unlocked;
   drop_bad_triangles();
   normals_.emplace(mesh_, normals);
@@ -100,13 +101,13 @@ void bind_surfaces(py::module_& module) {
   py::class_<Surface, std::shared_ptr<Surface>>(module, "Surface")
       .def(py::init([](const py::array& positions, const py::array& triangles, const Triple& origin,
                        const std::string& normals, std::optional<py::array> given_normals, std::optional<py::array> uvs,
-                       std::optional<py::array> materials) {
+                       std::optional<py::array> materials, const MeshHoles* holes) {
              return std::make_shared<Surface>(
                  positions, triangles, origin, normals,
-                 SurfaceArrays{std::move(given_normals), std::move(uvs), std::move(materials)});
+                 SurfaceArrays{std::move(given_normals), std::move(uvs), std::move(materials), holes});
            }),
            py::arg("positions"), py::arg("triangles"), py::arg("origin"), py::arg("normals"), py::arg("given_normals"),
-           py::arg("uvs"), py::arg("materials"));
+           py::arg("uvs"), py::arg("materials"), py::arg("holes"));
 }
 
 }  // namespace lkao::python

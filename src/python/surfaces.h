@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "python/arrays.h"
+#include "python/holes.h"
 #include "scene/corner_normals.h"
 #include "scene/mesh.h"
 
@@ -18,6 +19,7 @@ struct SurfaceArrays {
   std::optional<py::array> normals;    // float32, packed: (n, 3) of vertices or (m, 3, 3) of corners; zero: none there
   std::optional<py::array> uvs;        // float32, packed: (n, 2) or (m, 3, 2), as scene::Mesh has them; NaN: none there
   std::optional<py::array> materials;  // uint32, (m,)
+  const MeshHoles* holes = nullptr;    // of its triangles, for rays that meet it
 };
 
 // A copy of arrays, without the triangles that are none. Stays where it is made.

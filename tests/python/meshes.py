@@ -1,6 +1,10 @@
 """Small meshes with known answers, and what the tests are told by CTest."""
 
+import base64
+import json
 import os
+import struct
+import zlib
 from pathlib import Path
 
 import numpy as np
@@ -48,3 +52,71 @@ def points(count, seed=1):
     P = random.uniform([-2, 0.01, -2], [2, 2, 2], (count, 3)).astype(np.float32)
     N = random.normal(size=(count, 3)).astype(np.float32)
     return P, N
+
+
+def values_in_ply(path):
+    """The property occlusion of the vertices or faces of a PLY of lkao."""
+    header, _, data = path.read_bytes().partition(b"end_header\n")
+    sizes = {b"float": "<f4", b"uchar": "u1", b"int": "<i4", b"uint": "<u4"}
+    values, elements = None, []
+    for line in header.split(b"\n"):
+        words = line.split()
+        if words[:1] == [b"element"]:
+            elements.append((words[1], int(words[2]), []))
+        elif words[:1] == [b"property"] and words[1] == b"list":
+            elements[-1][2].extend([("count", sizes[words[2]]), ("corners", sizes[words[3]], 3)])
+        elif words[:1] == [b"property"]:
+            elements[-1][2].append((words[2].decode(), sizes[words[1]]))
+    offset = 0
+    for _, count, fields in elements:
+        table = np.frombuffer(data, np.dtype(fields), count, offset)
+        offset += table.nbytes
+        if "occlusion" in table.dtype.names:
+            values = table["occlusion"]
+    return values
+
+
+def png(pixels):
+    """A PNG of (height, width, channels) of uint8: 1 channel is grey, 4 are red, green, blue and alpha."""
+    height, width, channels = pixels.shape
+
+    def chunk(kind, data):
+        return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+
+    head = struct.pack(">IIBBBBB", width, height, 8, {1: 0, 4: 6}[channels], 0, 0, 0)
+    rows = b"".join(b"\0" + row.tobytes() for row in pixels)
+    parts = (chunk(b"IHDR", head), chunk(b"IDAT", zlib.compress(rows)), chunk(b"IEND", b""))
+    return b"\x89PNG\r\n\x1a\n" + b"".join(parts)
+
+
+def write_gltf(path, V, F, UV, alpha, material, sampler=None):
+    """A mesh of one material, whose colour is an image of that alpha, (height, width). UV is from the upper left."""
+    parts = [np.ascontiguousarray(V, "<f4"), np.ascontiguousarray(UV, "<f4"), np.ascontiguousarray(F, "<u4")]
+    image = png(np.dstack([np.zeros((*alpha.shape, 3), np.uint8), alpha]))
+    blobs = [*(part.tobytes() for part in parts), image]
+    offsets = np.cumsum([0, *map(len, blobs)])
+    data = base64.b64encode(b"".join(blobs)).decode()
+    views = [{"buffer": 0, "byteOffset": int(o), "byteLength": len(b)} for o, b in zip(offsets, blobs)]
+    kinds = [(5126, len(V), "VEC3"), (5126, len(V), "VEC2"), (5125, 3 * len(F), "SCALAR")]
+    accessors = [
+        {"bufferView": i, "componentType": number, "count": count, "type": kind}
+        for i, (number, count, kind) in enumerate(kinds)
+    ]
+    accessors[0].update(min=V.min(0).astype(float).tolist(), max=V.max(0).astype(float).tolist())
+    primitive = {"attributes": {"POSITION": 0, "TEXCOORD_0": 1}, "indices": 2, "material": 0}
+    looks = {"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}}, **material}
+    document = {
+        "asset": {"version": "2.0"},
+        "buffers": [{"byteLength": int(offsets[-1]), "uri": "data:application/octet-stream;base64," + data}],
+        "bufferViews": views,
+        "accessors": accessors,
+        "images": [{"bufferView": 3, "mimeType": "image/png"}],
+        "samplers": [sampler or {}],
+        "textures": [{"source": 0, "sampler": 0}],
+        "materials": [looks],
+        "meshes": [{"primitives": [primitive]}],
+        "nodes": [{"mesh": 0}],
+        "scenes": [{"nodes": [0]}],
+        "scene": 0,
+    }
+    path.write_text(json.dumps(document))

@@ -9,28 +9,6 @@ import lkao
 import meshes
 
 
-def values_in_ply(path):
-    """The property occlusion of the vertices or faces of a PLY of lkao."""
-    header, _, data = path.read_bytes().partition(b"end_header\n")
-    sizes = {b"float": "<f4", b"uchar": "u1", b"int": "<i4", b"uint": "<u4"}
-    values, elements = None, []
-    for line in header.split(b"\n"):
-        words = line.split()
-        if words[:1] == [b"element"]:
-            elements.append((words[1], int(words[2]), []))
-        elif words[:1] == [b"property"] and words[1] == b"list":
-            elements[-1][2].extend([("count", sizes[words[2]]), ("corners", sizes[words[3]], 3)])
-        elif words[:1] == [b"property"]:
-            elements[-1][2].append((words[2].decode(), sizes[words[1]]))
-    offset = 0
-    for _, count, fields in elements:
-        table = np.frombuffer(data, np.dtype(fields), count, offset)
-        offset += table.nbytes
-        if "occlusion" in table.dtype.names:
-            values = table["occlusion"]
-    return values
-
-
 @pytest.mark.parametrize(
     "options, arguments",
     [
@@ -59,7 +37,7 @@ def test_values_are_those_of_the_program(tmp_path, options, arguments):
     if options.get("per") == "face":
         assert np.isnan(ours[-1])  # the program has dropped the triangle without area
         ours = ours[:-1]
-    theirs = values_in_ply(ply)
+    theirs = meshes.values_in_ply(ply)
     assert theirs.max() > 0.2 and np.nan_to_num(ours).tobytes() == theirs.tobytes()
 
 
@@ -75,7 +53,7 @@ def test_values_with_given_normals_are_those_of_the_program(tmp_path, filter):
     )
     arguments = ["--radius", "0.5", "--samples", "64", "--filter", filter, "--quiet"]
     subprocess.run([meshes.BUILD / "bin/lkao", "bake", obj, "-o", ply, *arguments], check=True)
-    theirs = values_in_ply(ply)
+    theirs = meshes.values_in_ply(ply)
     file = lkao.MeshFile(obj)
     for given in (normals, normals[F], file.normals):
         ours = lkao.bake(V, F, radius=0.5, samples=64, filter=filter, normals=given)

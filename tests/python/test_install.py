@@ -4,18 +4,30 @@ import os
 import subprocess
 import sys
 
+import numpy as np
+
 import meshes
 
 USE = """
 import lkao
 values = lkao.bake([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]], radius=1.0)
-print(lkao.__file__, (values == 0).all())
+file = lkao.MeshFile("leaf.gltf")  # its image is read by what lies beside the module
+print(lkao.__file__, (values == 0).all() and file.holes is not None and not file.remarks)
 """
 
 
 def use(folder):
-    environment = dict(os.environ, PYTHONPATH=str(folder))
-    said = subprocess.run([sys.executable, "-c", USE], env=environment, check=True, stdout=subprocess.PIPE, text=True)
+    V, F = meshes.wall()
+    clear = np.zeros((2, 2), np.uint8)
+    meshes.write_gltf(folder / "leaf.gltf", V, F, V[:, :2], clear, {"alphaMode": "MASK"})
+    said = subprocess.run(
+        [sys.executable, "-c", USE],
+        env=dict(os.environ, PYTHONPATH=str(folder)),
+        cwd=folder,
+        check=True,
+        stdout=subprocess.PIPE,
+        text=True,
+    )
     file, is_right = said.stdout.split()
     assert file.startswith(str(folder)) and is_right == "True"
 

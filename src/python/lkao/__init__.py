@@ -21,6 +21,7 @@ from .ambient_occlusion import AmbientOcclusion, Answers, occlusion, unpack
 from .baking import Baking, bake
 from .bundles import RayBundles
 from .gl import Rasterizer
+from .holes import Holes
 from .lights import DiscLight, LightAnswers, SkyAnswers, SkyVisibility, SoftShadows, SphereLight
 from .meshes import Level, Mesh, MeshFile, load, simplify
 from .pattern import Pattern, PlaneMaskTable
@@ -36,6 +37,7 @@ __all__ = [
     "BuildReport",
     "Cancelled",
     "DiscLight",
+    "Holes",
     "Level",
     "LightAnswers",
     "Mesh",

@@ -173,6 +173,21 @@ def numbers_or_none(
     return numbers(np.where(array == -1, NONE_OF_THEM, array.astype(np.int64)), name, shape)
 
 
+def is_lower(uv_origin: str) -> bool:
+    """Whether (0, 0) is the lower left corner of a picture; otherwise it is the upper one."""
+    if uv_origin not in ("lower", "upper"):
+        raise ValueError(f"uv_origin must be one of 'lower', 'upper', not {uv_origin!r}")
+    return uv_origin == "lower"
+
+
+def wraps(wrap: Union[str, Tuple[str, str]]) -> Tuple[str, str]:
+    """Of u and of v."""
+    words = (wrap, wrap) if isinstance(wrap, str) else tuple(wrap)
+    if len(words) != 2:
+        raise ValueError(f"wrap must be a word, or one for u and one for v, not {wrap!r}")
+    return word(words[0], "wrap"), word(words[1], "wrap")
+
+
 def required(array: Optional[npt.NDArray[np.uint32]]) -> npt.NDArray[np.uint32]:
     """For what is never None, packed."""
     assert array is not None

@@ -11,6 +11,7 @@ _Words = npt.NDArray[np.uint64]
 _Triple = Tuple[float, float, float]
 _Progress = Optional[Callable[[int, int], Any]]
 _Map = Tuple[int, _Floats, Optional[_Floats], npt.NDArray[np.uint8]]
+_Material = Tuple[Optional[float], float, int, str, str, bool]
 _Rho = Optional[Callable[[float], float]]
 
 version: str
@@ -19,7 +20,7 @@ def active_isa() -> str: ...
 def choose_origin(positions: _Array) -> _Triple: ...
 def load(name: str) -> Tuple[_Floats, npt.NDArray[np.uint32], _Triple]: ...
 def open_file(
-    name: str, uv_set: int
+    name: str, uv_set: int, opaque: bool
 ) -> Tuple[
     _Floats,
     npt.NDArray[np.uint32],
@@ -27,6 +28,7 @@ def open_file(
     Optional[_Floats],
     Optional[_Floats],
     Optional[npt.NDArray[np.uint32]],
+    Optional[Holes],
     List[str],
     List[Tuple[str, str]],
     List[str],
@@ -35,6 +37,7 @@ def view(
     positions: _Array,
     triangles: _Array,
     origin: _Triple,
+    holes: Optional[Holes],
     eye: _Triple,
     target: _Triple,
     up: _Triple,
@@ -137,6 +140,28 @@ class BuildReport:
     @property
     def growth(self) -> float: ...
 
+class Holes:
+    @staticmethod
+    def make(
+        images: List[npt.NDArray[np.uint16]],
+        materials: List[_Material],
+        triangle_materials: npt.NDArray[np.uint32],
+        uvs: _Floats,
+        alphas: _Floats,
+        numbers: npt.NDArray[np.uint32],
+    ) -> Holes: ...
+    def parts(
+        self,
+    ) -> Tuple[
+        List[npt.NDArray[np.uint16]],
+        List[_Material],
+        npt.NDArray[np.uint32],
+        _Floats,
+        _Floats,
+        npt.NDArray[np.uint32],
+    ]: ...
+    def numbers(self) -> npt.NDArray[np.uint32]: ...
+
 class OccluderScene:
     @staticmethod
     def make(
@@ -147,6 +172,7 @@ class OccluderScene:
         keep_zero_area: bool,
         refer: bool,
         opacities: Optional[_Floats],
+        holes: Optional[Holes],
         thread_count: int,
         progress: _Progress,
     ) -> OccluderScene: ...
@@ -307,6 +333,7 @@ class Surface:
         given_normals: Optional[_Floats],
         uvs: Optional[_Floats],
         materials: Optional[npt.NDArray[np.uint32]],
+        holes: Optional[Holes],
     ) -> None: ...
 
 class Baking:

@@ -12,6 +12,7 @@ from . import _arguments as arguments
 from . import _lkao
 from ._arguments import Floats, Words
 from ._lkao import QueryReport
+from .holes import Holes
 from .pattern import Pattern, PlaneMaskTable, pattern_of
 from .receivers import offset_of, outputs, receivers_of
 from .scene import Progress, Scene
@@ -200,13 +201,14 @@ def occlusion(
     samples: Union[int, Pattern] = 128,
     sided: str = "two",
     seed: int = 0,
+    holes: Optional[Holes] = None,
     threads: int = 0,
     progress: Optional[Progress] = None,
 ) -> Floats:
     """Ambient occlusion of the points P with normals N by the mesh V, F: 0 where nothing is within the radius, 1 where
     all is blocked. For more than one question about a mesh, and for masks and bent normals: Scene, AmbientOcclusion.
 
-    V, F: see Scene. P, N: see AmbientOcclusion.query. radius, samples, sided, seed: see AmbientOcclusion.
+    V, F, holes: see Scene. P, N: see AmbientOcclusion.query. radius, samples, sided, seed: see AmbientOcclusion.
     """
-    query = AmbientOcclusion(Scene(V, F, threads=threads), samples, radius=radius, sided=sided, seed=seed)
+    query = AmbientOcclusion(Scene(V, F, holes=holes, threads=threads), samples, radius=radius, sided=sided, seed=seed)
     return query.query(P, N, threads=threads, progress=progress).occlusion

@@ -11,9 +11,10 @@ from . import _arguments as arguments
 from . import _lkao
 from ._arguments import Floats
 from .ambient_occlusion import AmbientOcclusion
+from .holes import Holes
 from .meshes import in_world
 from .pattern import Pattern
-from .scene import Progress, Scene, positions_and_origin
+from .scene import Progress, Scene, check_holes, positions_and_origin
 from .surface import Normals, surface_of
 
 _FILTERS = ("none", "least-squares")
@@ -73,6 +74,7 @@ def bake(
     per: str = "vertex",
     filter: str = "none",
     normals: Normals = "facet",
+    holes: Optional[Holes] = None,
     scene: Optional[Scene] = None,
     sided: str = "two",
     seed: int = 0,
@@ -83,8 +85,10 @@ def bake(
     """Occlusion of every vertex (n,), face (m,) or corner (m, 3) of a mesh, 0 to 1; NaN where there is none.
 
     V, F: see Scene. per, filter, normals, scene: see Baking. radius and the others: see AmbientOcclusion.
+    holes: of the mesh, such as those of a MeshFile, where no scene is given. What lies in them is baked like all else.
     """
-    occluders = Scene(V, F, threads=threads) if scene is None else scene
+    check_holes(holes, scene)
+    occluders = Scene(V, F, holes=holes, threads=threads) if scene is None else scene
     query = AmbientOcclusion(occluders, samples, radius=radius, sided=sided, seed=seed, min_distance=min_distance)
     baking = Baking(V, F, per=per, filter=filter, normals=normals, scene=occluders)
     answers = query.query(

@@ -12,6 +12,7 @@ import numpy.typing as npt
 from . import _arguments as arguments
 from . import _lkao
 from ._arguments import Array, Floats, Triple
+from .holes import Holes, of_extension
 from .scene import NO_ORIGIN, Progress, Scene, positions_and_origin
 
 
@@ -30,18 +31,22 @@ class Mesh(NamedTuple):
 def load(name: Union[str, "os.PathLike[str]"]) -> Mesh:
     """The triangles of an OBJ, PLY, STL, OFF, glTF or GLB file, or of a built-in scene such as "builtin:atrium".
 
-    V is float32, or float64 for files far from zero. Raises RuntimeError naming the file and the fault.
+    V is float32, or float64 for files far from zero. Of holes by transparency MeshFile knows. Raises RuntimeError
+    naming the file and the fault.
     """
     positions, triangles, origin = _lkao.load(os.fspath(name))
     return Mesh(in_world(positions, origin), triangles)
 
 
 class MeshFile:
-    """All that a file says of a surface, for bake and bake_texture. Triangles with holes by transparency are whole.
+    """All that a file says of a surface, for Scene, bake and bake_texture.
 
-    name: as of load. uv_set: which of its texture coordinates.
+    name: as of load. uv_set: which of its texture coordinates. opaque: holes by transparency are not read.
 
     V, F: as of load. origin: what the program takes away from positions: Scene(V, F, origin=origin) has its bits.
+    holes: Holes by transparency, for what takes holes: of glTF alphaMode MASK and BLEND, of OBJ, half-transparent, "d",
+        "Tr" and "map_d"; or None. What is baked without them is whole. An image that cannot be read counts as opaque,
+        which is a remark.
     normals: (m, 3, 3), of the corners of triangles, unit vectors, NaN where there is none; or None.
     UV: (m, 3, 2), texture coordinates of corners, (0, 0) in the lower left corner of the picture; NaN where there is
         none; or None.
@@ -52,10 +57,11 @@ class MeshFile:
     Raises RuntimeError naming the file and the fault.
     """
 
-    def __init__(self, name: Union[str, "os.PathLike[str]"], *, uv_set: int = 0) -> None:
-        found = _lkao.open_file(os.fspath(name), arguments.whole(uv_set, "uv_set", 0, 63))
-        points, self.F, self.origin, self.normals, uvs, materials = found[:6]
-        self.material_names, self.wraps, self.remarks = found[6:]
+    def __init__(self, name: Union[str, "os.PathLike[str]"], *, uv_set: int = 0, opaque: bool = False) -> None:
+        found = _lkao.open_file(os.fspath(name), arguments.whole(uv_set, "uv_set", 0, 63), bool(opaque))
+        points, self.F, self.origin, self.normals, uvs, materials, holes = found[:7]
+        self.material_names, self.wraps, self.remarks = found[7:]
+        self.holes: Optional[Holes] = of_extension(holes)
         self.V: Array = in_world(points, self.origin)
         self.UV: Optional[npt.NDArray[np.float64]] = None
         if uvs is not None:

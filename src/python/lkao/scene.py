@@ -11,6 +11,7 @@ from . import _arguments as arguments
 from . import _lkao
 from ._arguments import Array, Floats, Triple
 from ._lkao import BuildReport
+from .holes import Holes, to_extension
 
 NO_ORIGIN: Triple = (0.0, 0.0, 0.0)
 Progress = Callable[[int, int], Any]
@@ -37,6 +38,12 @@ def transforms(to_world: npt.ArrayLike) -> Floats:
     return np.ascontiguousarray(array[:, :3], dtype=np.float32)
 
 
+def check_holes(holes: Optional[Holes], scene: Optional[Scene]) -> None:
+    """Of calls that take a scene instead of the mesh itself."""
+    if holes is not None and scene is not None:
+        raise ValueError("holes are of V and F, which do not block where there is a scene: give them to that Scene")
+
+
 class Scene:
     """What blocks rays: a triangle mesh and the hierarchy over it.
 
@@ -49,13 +56,14 @@ class Scene:
         them alive.
     spatial_splits: cut long triangles; takes 3 to 6 times as long to build, and up to a sixth less to query.
     keep_zero_area: keep triangles without area, for a mesh that is to stand elsewhere (Scene.of_instances).
-    opacities: (m,), from 0 to 1: triangles below 1 have holes, and block a ray with that probability.
+    opacities: (m,), from 0 to 1: triangles below 1 have holes, and block a ray with that probability; or
+    holes: Holes of the triangles of F, by images, such as those of a MeshFile.
     origin: taken away from positions instead of the one that is found.
     threads: 0: all. progress: called as progress(done, total) some twenty times a second; stops the build by returning
         False, and then Cancelled is raised. What it raises comes out of here.
 
-    A scene made with copy=False, and one of instances of such, can be pickled: its arrays and settings are, and the
-    hierarchy is built anew on the other side, with the same bits.
+    A scene made with copy=False, and one of instances of such, can be pickled: its arrays, holes and settings are, and
+    the hierarchy is built anew on the other side, with the same bits.
 
     Built without the interpreter's lock. A scene may be asked from any number of threads. Raises ValueError and
     TypeError naming the argument. Triangles that block nothing are counted: see report.
@@ -70,6 +78,7 @@ class Scene:
         spatial_splits: bool = True,
         keep_zero_area: bool = False,
         opacities: Optional[npt.ArrayLike] = None,
+        holes: Optional[Holes] = None,
         origin: Optional[npt.ArrayLike] = None,
         threads: int = 0,
         progress: Optional[Progress] = None,
@@ -77,6 +86,9 @@ class Scene:
         positions, its_origin = positions_and_origin(V, origin)
         triangles = arguments.triangles(F, len(positions))
         shares = None if opacities is None else arguments.packed(opacities, "opacities", (len(triangles),))
+        own_holes = to_extension(holes, len(triangles))
+        if shares is not None and own_holes is not None:
+            raise ValueError("opacities and holes exclude each other: either says where triangles have holes")
         # The arrays that the hierarchy refers to; of a scene of instances, its meshes.
         self._kept: Tuple[Any, ...] = () if copy else (positions, triangles)
         # None of a scene of instances.
@@ -84,6 +96,7 @@ class Scene:
             "spatial_splits": bool(spatial_splits),
             "keep_zero_area": bool(keep_zero_area),
             "opacities": None if copy or shares is None else shares.copy(),
+            "holes": None if copy else holes,
         }
         self._scene = _lkao.OccluderScene.make(
             positions,
@@ -93,6 +106,7 @@ class Scene:
             bool(keep_zero_area),
             not copy,
             shares,
+            own_holes,
             arguments.threads(threads),
             arguments.callback(progress),
         )

@@ -24,6 +24,7 @@ def surface_of(
     name: str = "normals",
     uvs: Optional[Floats] = None,
     materials: Optional[npt.NDArray[np.uint32]] = None,
+    holes: Optional[_lkao.Holes] = None,
 ) -> _lkao.Surface:
     """`name`: what users call the normals."""
     given = None
@@ -37,4 +38,4 @@ def surface_of(
         source = "file"
         rows = arguments.of_vertices_or_corners(normals, name, 3, len(positions), len(triangles))
         given = np.ascontiguousarray(rows, np.float32)
-    return _lkao.Surface(positions, triangles, origin, source, given, uvs, materials)
+    return _lkao.Surface(positions, triangles, origin, source, given, uvs, materials, holes)

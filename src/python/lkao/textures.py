@@ -12,24 +12,23 @@ from . import _arguments as arguments
 from . import _lkao
 from ._arguments import Array, Floats, Triple
 from .ambient_occlusion import AmbientOcclusion
+from .holes import Holes, to_extension
 from .pattern import Pattern
-from .scene import Progress, Scene, positions_and_origin
+from .scene import Progress, Scene, check_holes, positions_and_origin
 from .surface import Normals, surface_of
 from .texture_maps import TextureBake, TextureMap, TextureReport, merged
 
-_ORIGINS = ("lower", "upper")
 _MOST_TEXELS = 32768  # a side
 
 
 def _uvs(UV: npt.ArrayLike, F_UV: Optional[npt.ArrayLike], origin: str, n: int, m: int) -> Floats:
     """As the library has them: from the upper left corner."""
-    if origin not in _ORIGINS:
-        raise ValueError(f"uv_origin must be one of 'lower', 'upper', not {origin!r}")
+    is_lower = arguments.is_lower(origin)
     if F_UV is None:
         uvs = arguments.of_vertices_or_corners(UV, "UV", 2, n, m).astype(np.float64)
     else:
         uvs = _of_corners(UV, F_UV, m)
-    if origin == "lower":
+    if is_lower:
         uvs[..., 1] = 1 - uvs[..., 1]
     return np.ascontiguousarray(uvs, np.float32)
 
@@ -62,9 +61,7 @@ def _options(
     level_seams: bool,
     margin: Optional[int],
 ) -> _lkao.TextureOptions:
-    wraps = (wrap, wrap) if isinstance(wrap, str) else tuple(wrap)
-    if len(wraps) != 2:
-        raise ValueError(f"wrap must be a word, or one for u and one for v, not {wrap!r}")
+    wrap_u, wrap_v = arguments.wraps(wrap)
     columns = arguments.whole(width, "width", 1, _MOST_TEXELS)
     number = None
     if material is not None:
@@ -72,8 +69,8 @@ def _options(
     return _lkao.TextureOptions(
         columns,
         columns if height is None else arguments.whole(height, "height", 1, _MOST_TEXELS),
-        arguments.word(wraps[0], "wrap"),
-        arguments.word(wraps[1], "wrap"),
+        wrap_u,
+        wrap_v,
         bool(udim),
         number,
         arguments.whole(grid, "grid", 1, 16),
@@ -93,12 +90,32 @@ def _materials(
     return None if numbers is None else np.ascontiguousarray(numbers)
 
 
-def _detailed(mesh: Tuple[npt.ArrayLike, npt.ArrayLike], normals: Normals, origin: Triple) -> _lkao.Surface:
+def _detailed(
+    mesh: Tuple[npt.ArrayLike, npt.ArrayLike], normals: Normals, holes: Optional[Holes], origin: Triple
+) -> _lkao.Surface:
     if not isinstance(mesh, tuple) or len(mesh) != 2:
         raise TypeError("detailed must be a tuple of positions and triangles, (V, F)")
     positions, _ = positions_and_origin(mesh[0], origin, "V of detailed")
     triangles = arguments.triangles(mesh[1], len(positions), "F of detailed")
-    return surface_of(positions, triangles, origin, normals, name="detailed_normals")
+    its_holes = to_extension(holes, len(triangles), "detailed_holes")
+    return surface_of(positions, triangles, origin, normals, name="detailed_normals", holes=its_holes)
+
+
+def _blockers(
+    V: npt.ArrayLike,
+    F: npt.ArrayLike,
+    holes: Optional[Holes],
+    detailed: Optional[Tuple[npt.ArrayLike, npt.ArrayLike]],
+    detailed_holes: Optional[Holes],
+    origin: Triple,
+    threads: int,
+) -> Scene:
+    """The detailed mesh, or else the mesh itself."""
+    if detailed is None:
+        return Scene(V, F, origin=origin, holes=holes, threads=threads)
+    if holes is not None:
+        raise ValueError("holes are of V and F, which do not block where there is a detailed mesh: see detailed_holes")
+    return Scene(*detailed, origin=origin, holes=detailed_holes, threads=threads)
 
 
 def _extrusion(value: Optional[float], has_detailed: bool) -> float:
@@ -145,7 +162,9 @@ def bake_texture(
     thickness: bool = False,
     detailed: Optional[Tuple[npt.ArrayLike, npt.ArrayLike]] = None,
     detailed_normals: Normals = "facet",
+    detailed_holes: Optional[Holes] = None,
     extrusion: Optional[float] = None,
+    holes: Optional[Holes] = None,
     scene: Optional[Scene] = None,
     sided: str = "two",
     seed: int = 0,
@@ -163,7 +182,7 @@ def bake_texture(
     uv_origin: where in the picture (0, 0) is: "lower" left, as in OBJ files and most programs, or "upper" left, as in
         glTF files. Rows of the maps run from the top in either case.
     width, height: of the map in texels, 1 to 32768; height is the width where it is not given.
-    samples, radius and others that are not here: see AmbientOcclusion. scene: what blocks; see Baking.
+    samples, radius and others that are not here: see AmbientOcclusion. holes, scene: what blocks; see bake.
     normals: see Baking.
     wrap: what lies outside of [0, 1]: "repeat", "mirror" or "clamp"; or a pair, for u and v.
     udim: a map for each unit square of texture coordinates, instead of wrapping.
@@ -177,7 +196,8 @@ def bake_texture(
         a share of the radius.
     detailed: (V, F) of another mesh in the same space whose occlusion the map shows: each point stands for what lies
         nearest along the smooth normal within the distance `extrusion`, by default 2 % of the diagonal of the box
-        around V. It alone blocks, if no scene is given. detailed_normals: see normals.
+        around V. It alone blocks, if no scene is given. detailed_normals: see normals. detailed_holes: its
+        Holes: rays pass, and so do points on their way to it.
     part: (k, n): only the k-th share of n, from 0 on, for several machines. merge: what that returned for all n, with
         the other arguments as they were there: nothing is cast, but the maps are put together and finished, with the
         bits of the whole.
@@ -199,10 +219,12 @@ def bake_texture(
     )
     if merge is not None:
         return _finished(merged(merge), surface, options)
-    fine = None if detailed is None else _detailed(detailed, detailed_normals, origin)
+    if detailed_holes is not None and detailed is None:
+        raise ValueError("detailed_holes are for a detailed mesh, which must be given with them")
+    fine = None if detailed is None else _detailed(detailed, detailed_normals, detailed_holes, origin)
+    check_holes(holes, scene)
     if scene is None:
-        blockers = (positions, triangles) if detailed is None else detailed
-        scene = Scene(*blockers, origin=origin, threads=threads)
+        scene = _blockers(positions, triangles, holes, detailed, detailed_holes, origin, threads)
     query = AmbientOcclusion(scene, samples, radius=radius, sided=sided, seed=seed, min_distance=min_distance)
     maps, report = _lkao.bake_texture(
         query._query,

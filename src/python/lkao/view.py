@@ -9,6 +9,7 @@ import numpy.typing as npt
 
 from . import _arguments as arguments
 from . import _lkao
+from .holes import Holes, to_extension
 from .meshes import in_world
 from .scene import positions_and_origin
 
@@ -19,7 +20,8 @@ class View:
     """Receivers of the pixels of a picture, row by row from the top, for AmbientOcclusion.query and Rasterizer.
 
     eye, target, up: (3,), in the coordinates of V. fov: horizontal, in degrees. width, height: pixels, 1 to 32768.
-    normals: "facet", those of the triangles, or "smooth".
+    normals: "facet", those of the triangles, or "smooth". holes: what is behind them is seen, where alpha is below the
+        cut-off, or below a half.
 
     P, N, geometric_normals: (height, width, 3); depth: (height, width), along the view axis. Where nothing is seen P is
     NaN and depth infinite; occlusion is NaN there.
@@ -37,6 +39,7 @@ class View:
         up: npt.ArrayLike = (0.0, 1.0, 0.0),
         fov: float = 60.0,
         normals: str = "facet",
+        holes: Optional[Holes] = None,
         origin: Optional[npt.ArrayLike] = None,
     ) -> None:
         if normals not in _NORMALS:
@@ -51,10 +54,12 @@ class View:
         self._target = (float(tx), float(ty), float(tz))
         self._up = arguments.triple(up, "up")
         self._fov = arguments.number(fov, "fov")
+        triangles = arguments.triangles(F, len(positions))
         self._rows = _lkao.view(
             positions,
-            arguments.triangles(F, len(positions)),
+            triangles,
             its_origin,
+            to_extension(holes, len(triangles)),
             self._eye,
             self._target,
             self._up,
