@@ -11,7 +11,8 @@
 namespace lkao::image {
 namespace {
 
-// Found by the run path of the program: in its own folder, or as installed. Stays until the program ends.
+// Found by the run path of what this is linked into: the program has it in its own folder, or as installed, Python's
+// module beside it. Stays until the program ends.
 const Codec& load() {
   void* const object = dlopen("lkao_image_codec.so", RTLD_NOW | RTLD_LOCAL);
   void* const function = object != nullptr ? dlsym(object, kCodecFunction) : nullptr;
