@@ -2,6 +2,7 @@
 
 import pickle
 import subprocess
+import sys
 
 import numpy as np
 import pytest
@@ -34,13 +35,17 @@ def leaves():
 
 
 def write_obj(folder, V, F, UV, alpha):
-    """The same by `map_d`."""
+    """The same by `map_d`, in two ways, on a floor of glass."""
     (folder / "leaf.png").write_bytes(meshes.png(alpha[..., None]))
-    (folder / "leaf.mtl").write_text("newmtl leaf\nd 0.75\nmap_d leaf.png\n")
-    lines = ["mtllib leaf.mtl", "usemtl leaf"]
+    (folder / "leaf.mtl").write_text(
+        "newmtl glass\nd 0.75\nnewmtl leaf\nmap_d leaf.png\nnewmtl fine\nmap_d -s 2 2 -o 0.1 -clamp on leaf.png\n"
+    )
+    lines = ["mtllib leaf.mtl"]
     lines += [f"v {x!r} {y!r} {z!r}" for x, y, z in V.astype("f8").tolist()]
     lines += [f"vt {u!r} {v!r}" for u, v in UV.astype("f8").tolist()]
-    lines += ["f " + " ".join(f"{i + 1}/{i + 1}" for i in corners) for corners in F]
+    for name, faces in (("glass", F[:-8]), ("fine", F[-8:-4]), ("leaf", F[-4:])):
+        lines.append(f"usemtl {name}")
+        lines += ["f " + " ".join(f"{i + 1}/{i + 1}" for i in corners) for corners in faces]
     (folder / "leaves.obj").write_text("\n".join(lines) + "\n")
     return folder / "leaves.obj"
 
@@ -56,9 +61,18 @@ def program_bakes(path, *arguments):
     subprocess.run([meshes.BUILD / "bin/lkao", "bake", path, *arguments], check=True)
 
 
-@pytest.mark.parametrize("kind", ["MASK", "BLEND", "OBJ"])
+def write_kind(folder, kind):
+    if kind == "OBJ":
+        return write_obj(folder, *leaves())
+    return write(folder, MASK) if kind == "MASK" else write(folder, BLEND, magFilter=9728, wrapS=33648)
+
+
+KINDS = ["MASK", "BLEND", "OBJ"]
+
+
+@pytest.mark.parametrize("kind", KINDS)
 def test_holes_of_files_are_those_of_the_program(tmp_path, kind):
-    path = write_obj(tmp_path, *leaves()) if kind == "OBJ" else write(tmp_path, MASK if kind == "MASK" else BLEND)
+    path = write_kind(tmp_path, kind)
     program_bakes(path, "-o", tmp_path / "holes.ply")
     theirs = meshes.values_in_ply(tmp_path / "holes.ply")
     file = lkao.MeshFile(path)
@@ -146,9 +160,9 @@ def test_clear_triangles_block_nothing():
     assert lkao.occlusion(**foot, holes=lkao.Holes(np.zeros((1, 1)), UV)) == lkao.occlusion(**foot) > 0.4
 
 
-@pytest.mark.parametrize("material", [MASK, BLEND], ids=["mask", "blend"])
-def test_pickled_holes_have_the_bits_of_the_first(tmp_path, material):
-    file = lkao.MeshFile(write(tmp_path, material, magFilter=9728, wrapS=33648))
+@pytest.mark.parametrize("kind", KINDS)
+def test_pickled_holes_have_the_bits_of_the_first(tmp_path, kind):
+    file = lkao.MeshFile(write_kind(tmp_path, kind))
     other = pickle.loads(pickle.dumps(file.holes))
     assert (other.triangles == file.holes.triangles).all() and repr(other) == repr(file.holes)
     scene = lkao.Scene(file.V, file.F, holes=file.holes, copy=False)
@@ -171,6 +185,15 @@ def test_image_that_cannot_be_read_is_a_remark(tmp_path):
     assert file.holes is not None  # what "d" says is left
     (tmp_path / "leaf.mtl").write_text("newmtl leaf\nmap_d leaf.png\n")
     assert lkao.MeshFile(path).holes is None
+
+
+def test_library_of_images_is_loaded_with_the_first(tmp_path):
+    program = "import lkao; maps = lambda: 'libOpenImageIO' in open('/proc/self/maps').read(); before = maps(); "
+    program += "lkao.MeshFile('leaves.gltf', opaque=True); opaque = maps(); lkao.MeshFile('leaves.gltf'); "
+    program += "print(before, opaque, maps())"
+    write(tmp_path, MASK)
+    said = subprocess.run([sys.executable, "-c", program], cwd=tmp_path, check=True, stdout=subprocess.PIPE, text=True)
+    assert said.stdout.split() == ["False", "False", "True"]
 
 
 def test_cameras_see_what_is_behind_holes(tmp_path):
