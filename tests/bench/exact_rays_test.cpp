@@ -15,16 +15,17 @@
 namespace lkao::bench {
 namespace {
 
-class ExactRays : public testing::TestWithParam<Sidedness> {};
+class Disagreements : public testing::TestWithParam<Sidedness> {};
 
 // Random triangles, as they are and mirrored, and answers of which every ray's opposite is wrong.
-TEST_P(ExactRays, TellWhichAnswerIsWrong) {
+TEST_P(Disagreements, AreDecidedForWhoIsRight) {
   lut::RandomStream random(7);
   const tests::Mesh mesh = tests::random_soup(60, 1, 5);
   const glm::mat4x3 mirror = tests::random_transform(random, {-1, 2, 1}, {0.5f, 0, 0});
-  const OccluderScene scene({OccluderBvh(mesh.view())},
-                            {{.mesh = 0}, {.mesh = 0, .to_world = mirror, .groups = 1}, {.mesh = 0, .groups = 0}});
-  const AmbientOcclusion ao(scene, SamplePattern::standard(64), {.radius = 1.5f, .sidedness = GetParam()});
+  const std::vector<OccluderInstance> instances = {
+      {.mesh = 0}, {.mesh = 0, .to_world = mirror, .groups = 1}, {.mesh = 0, .groups = 0}};
+  const OccluderScene scene({OccluderBvh(mesh.view())}, instances);
+  const AmbientOcclusion ao(scene, SamplePattern::standard(64), {.radius = 0.7f, .sidedness = GetParam()});
   const std::vector<Receiver> receivers = tests::with_exclusions(tests::random_receivers(30, 1, 3), 4);
   std::vector<std::uint64_t> masks(receivers.size()), opposite;
   ao.query(receivers, {.mask_words = masks});
@@ -49,12 +50,12 @@ TEST_P(ExactRays, TellWhichAnswerIsWrong) {
   EXPECT_EQ(first.second_wrong + first.undecided, 0u);
 }
 
-INSTANTIATE_TEST_SUITE_P(, ExactRays, testing::Values(Sidedness::two_sided, Sidedness::one_sided));
+INSTANTIATE_TEST_SUITE_P(All, Disagreements, testing::Values(Sidedness::two_sided, Sidedness::one_sided));
 
 // A ray straight up, through the edge that two triangles share.
-TEST(ExactRays, SayWhereTheyCannotTell) {
+TEST(Disagreement, IsLeftUndecidedOnAnEdge) {
   const tests::Mesh roof = {{{-1, 0, 1}, {1, 0, 1}, {0, 1, 1}, {0, -1, 1}}, {{0, 1, 2}, {1, 0, 3}}};
-  const OccluderScene scene({OccluderBvh(roof.view())}, {{}});
+  const OccluderScene scene({OccluderBvh(roof.view())}, std::vector<OccluderInstance>(1));
   const AmbientOcclusion ao(scene, SamplePattern::from_disk(std::vector<glm::vec2>(1), std::vector<float>{1}),
                             {.radius = 2});
   const std::vector<Receiver> receivers = {{.normal = {0, 0, 1}}};
