@@ -70,6 +70,10 @@ endif()
 if(LKAO_SANITIZE)
   add_compile_options(-fsanitize=${LKAO_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
   add_link_options(-fsanitize=${LKAO_SANITIZE})
+  if(LKAO_SANITIZE MATCHES "address,undefined")
+    # Takes a tenth of the time to compile, and sees less than the address sanitizer.
+    add_compile_options(-fno-sanitize=object-size)
+  endif()
   if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
     # The C++ library that a program in C stands on needs what Clang leaves out of such programs.
     add_link_options("$<$<LINK_LANGUAGE:C>:-fsanitize-link-c++-runtime;-lstdc++>")
