@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -26,8 +27,13 @@ std::vector<int> studied_counts() {
   return counts;
 }
 
-SamplePattern pattern_of(int ray_count) {
-  return SamplePattern::make(PatternKind::fibonacci, ray_count, Falloff::linear());
+// Making them takes most of the time.
+const SamplePattern& pattern_of(int ray_count) {
+  static std::map<int, SamplePattern> patterns;
+  const auto known = patterns.find(ray_count);
+  if (known != patterns.end()) return known->second;
+  return patterns.emplace(ray_count, SamplePattern::make(PatternKind::fibonacci, ray_count, Falloff::linear()))
+      .first->second;
 }
 
 class RayCount : public testing::TestWithParam<std::string> {
@@ -59,7 +65,7 @@ TEST_P(RayCount, OfAnyNumberIsTheBruteForce) {
   std::uint64_t blocked_count = 0;
   for (const int count : studied_counts()) {
     SCOPED_TRACE(fmt::format("{} rays", count));
-    const SamplePattern pattern = pattern_of(count);
+    const SamplePattern& pattern = pattern_of(count);
     for (const float radius : {1.0f, std::numeric_limits<float>::infinity()}) {
       const RayOptions options{.radius = radius};
       const AmbientOcclusion simd(occluders, pattern, options), scalar(occluders, pattern, options, Kernel::scalar),
@@ -116,7 +122,7 @@ TEST_P(RayCount, OfATableIsTheExactKernels) {
   const std::vector<Receiver> receivers = tests::random_receivers(30, 1, 206);
   const std::vector<int> all{1, 3, 16, 48, 63, 65, 100, 127, 129, 200, 1000}, few{1, 63, 65, 200};
   for (const int count : tests::unless_sanitized(all, few)) {
-    const SamplePattern pattern = pattern_of(count);
+    const SamplePattern& pattern = pattern_of(count);
     const RayOptions options{.radius = 0.8f};
     const AmbientOcclusion exact(occluders, pattern, options);
     for (const PlaneAddressing addressing : {PlaneAddressing::cube, PlaneAddressing::slices}) {
