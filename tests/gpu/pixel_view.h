@@ -79,16 +79,33 @@ class PixelView {
   Texture positions_, normals_, geometric_normals_;
 };
 
-// The point at a distance along the view that a pixel's centre sees.
+// The line that a pixel's centre sees.
+class SightLine {
+ public:
+  SightLine(const Camera& camera, int width, int height, int x, int y) {
+    const glm::dmat4 world_from_clip = glm::inverse(glm::dmat4(camera.projection) * glm::dmat4(camera.view));
+    const auto unproject = [&](double depth) {
+      const glm::dvec4 h =
+          world_from_clip * glm::dvec4((2.0 * x + 1) / width - 1, (2.0 * y + 1) / height - 1, depth, 1);
+      return glm::dvec3(h) / h.w;
+    };
+    const auto along_view = [&](const glm::dvec3& p) { return -(glm::dmat4(camera.view) * glm::dvec4(p, 1)).z; };
+    near_ = unproject(0.25), far_ = unproject(0.5);
+    near_along_ = along_view(near_), far_along_ = along_view(far_);
+  }
+
+  // The point at a distance along the view.
+  glm::dvec3 at(double along) const {
+    return near_ + (far_ - near_) * ((along - near_along_) / (far_along_ - near_along_));
+  }
+
+ private:
+  glm::dvec3 near_, far_;
+  double near_along_, far_along_;
+};
+
 inline glm::dvec3 seen_at(const Camera& camera, int width, int height, int x, int y, double along) {
-  const glm::dmat4 world_from_clip = glm::inverse(glm::dmat4(camera.projection) * glm::dmat4(camera.view));
-  const auto unproject = [&](double depth) {
-    const glm::dvec4 h = world_from_clip * glm::dvec4((2.0 * x + 1) / width - 1, (2.0 * y + 1) / height - 1, depth, 1);
-    return glm::dvec3(h) / h.w;
-  };
-  const auto along_view = [&](const glm::dvec3& p) { return -(glm::dmat4(camera.view) * glm::dvec4(p, 1)).z; };
-  const glm::dvec3 a = unproject(0.25), b = unproject(0.5);
-  return a + (b - a) * ((along - along_view(a)) / (along_view(b) - along_view(a)));
+  return SightLine(camera, width, height, x, y).at(along);
 }
 
 // Pixels that see points at all distances, one in eight nothing, with normals of all directions.
@@ -117,15 +134,15 @@ PixelView view_of_ground(Height height, int width, int image_height) {
   std::vector<SeenPixel> pixels(static_cast<std::size_t>(width * image_height));
   for (int y = 0; y < image_height; ++y) {
     for (int x = 0; x < width; ++x) {
-      const auto at = [&](double along) { return seen_at(camera, width, image_height, x, y, along); };
+      const SightLine line(camera, width, image_height, x, y);
       double low = 0.05, high = 30;
-      if (at(high).y > height(at(high).x, at(high).z)) continue;
+      if (line.at(high).y > height(line.at(high).x, line.at(high).z)) continue;
       for (int i = 0; i < 80; ++i) {
         const double middle = 0.5 * (low + high);
-        const glm::dvec3 p = at(middle);
+        const glm::dvec3 p = line.at(middle);
         (p.y > height(p.x, p.z) ? low : high) = middle;
       }
-      const glm::dvec3 p = at(low);
+      const glm::dvec3 p = line.at(low);
       const double step = 1e-4;
       const glm::dvec3 normal =
           glm::normalize(glm::dvec3((height(p.x - step, p.z) - height(p.x + step, p.z)) / (2 * step), 1,
@@ -142,8 +159,8 @@ inline PixelView view_of_mesh(const Mesh& mesh, const Camera& camera, int width,
   std::vector<SeenPixel> pixels(static_cast<std::size_t>(width * height));
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
-      const glm::dvec3 from = seen_at(camera, width, height, x, y, 1);
-      const glm::dvec3 along = seen_at(camera, width, height, x, y, 2) - from;
+      const SightLine line(camera, width, height, x, y);
+      const glm::dvec3 from = line.at(1), along = line.at(2) - from;
       double nearest = std::numeric_limits<double>::infinity();
       for (const glm::uvec3& triangle : mesh.triangles) {
         const glm::dvec3 a(mesh.positions[triangle.x]), b(mesh.positions[triangle.y]), c(mesh.positions[triangle.z]);
