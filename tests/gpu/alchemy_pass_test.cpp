@@ -175,7 +175,8 @@ TEST_F(Alchemy, ShadingNormalsDoNotDarkenWhatIsFlat) {
 }
 
 TEST_F(Alchemy, WritesEverySize) {
-  for (const auto& [width, height] : {std::pair{1, 1}, {3, 1}, {17, 33}, {401, 299}}) {
+  for (const auto& [width, height] :
+       {std::pair{1, 1}, {3, 1}, {17, 33}, lkao::tests::unless_sanitized(std::pair{401, 299}, {127, 95})}) {
     const PixelView view = random_view(room_camera(width, height), width, height, 2);
     const std::vector<float> drawn = draw(view, kFew, GL_R32F, 0.5f);
     std::size_t wrong_count = 0, dark_count = 0;

@@ -14,8 +14,8 @@
 namespace lkao::gl::tests::back_ends_test {
 namespace {
 
-constexpr int kWidth = lkao::tests::unless_sanitized(96, 48);
-constexpr int kHeight = lkao::tests::unless_sanitized(72, 36);
+constexpr int kWidth = lkao::tests::unless_sanitized(48, 32);
+constexpr int kHeight = lkao::tests::unless_sanitized(36, 24);
 
 using BackEnds = InFurnishedRoom<kWidth, kHeight>;
 

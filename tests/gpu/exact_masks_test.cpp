@@ -13,8 +13,8 @@
 namespace lkao::gl::tests::exact_masks_test {
 namespace {
 
-constexpr int kWidth = lkao::tests::unless_sanitized(192, 96);
-constexpr int kHeight = lkao::tests::unless_sanitized(144, 72);
+constexpr int kWidth = lkao::tests::unless_sanitized(96, 48);
+constexpr int kHeight = lkao::tests::unless_sanitized(72, 36);
 constexpr double kLargestShare = 1e-4;
 
 class ExactMasks : public InFurnishedRoom<kWidth, kHeight> {
@@ -47,7 +47,7 @@ TEST_F(ExactMasks, AreTheCpusInFloat) {
       if (radius < 0.5f) {
         // Too few rays are blocked for expect_close.
         const auto expected = cpu_masks(mesh_, g_buffer_->receivers(), table.pattern(), options);
-        EXPECT_LT(count_differences(masks, expected), 100u);
+        EXPECT_LE(count_differences(masks, expected), 25u);
         EXPECT_GT(count_bits(expected), 1000u);
         continue;
       }
@@ -65,7 +65,7 @@ TEST_F(ExactMasks, AreTheCpusBitForBitInDouble) {
     const auto expected = cpu_masks(mesh_, g_buffer_->receivers(), table.pattern(), options);
     // A frame may differ in its last bit, where two doubles round to float differently.
     const std::uint64_t difference_count = count_differences(pass.read_masks(), expected);
-    EXPECT_LE(difference_count, 2u);
+    EXPECT_LE(difference_count, 1u);
     RecordProperty("differing_rays_in_double", std::to_string(difference_count));
   }
 }
@@ -101,7 +101,7 @@ TEST_F(ExactMasks, OfUniformDirectionsAreTheCpusToo) {
 }
 
 TEST_F(ExactMasks, HaveFrom1To1024Rays) {
-  const int width = lkao::tests::unless_sanitized(64, 32), height = lkao::tests::unless_sanitized(48, 24);
+  const int width = lkao::tests::unless_sanitized(32, 24), height = lkao::tests::unless_sanitized(24, 18);
   const GBufferPass g_buffer(mesh_, camera_, width, height);
   for (const int ray_count : {1, 16, 64, 100, 129, 192, 511, 1024}) {
     SCOPED_TRACE(ray_count);

@@ -19,8 +19,8 @@
 namespace lkao::gl::tests::nearest_masks_test {
 namespace {
 
-constexpr int kWidth = lkao::tests::unless_sanitized(96, 48);
-constexpr int kHeight = lkao::tests::unless_sanitized(72, 36);
+constexpr int kWidth = lkao::tests::unless_sanitized(96, 32);
+constexpr int kHeight = lkao::tests::unless_sanitized(72, 24);
 
 double distance_to_segment(const glm::dvec3& a, const glm::dvec3& b) {
   const glm::dvec3 along = b - a;

@@ -55,7 +55,7 @@ bool is_over_base(const Triangle& p, const glm::dvec3& m_k, const glm::dvec3& po
 // Eq. 5.
 double falloff(const Triangle& p, const glm::dvec3& m_k, const glm::dvec3& x, double delta) {
   double g = std::clamp(glm::dot(x - p[0], m_k) / delta + 1, 0.0, 1.0);
-  for (std::size_t i = 0; i < 3; ++i) {
+  for (std::size_t i = 0; i < 3 && g > 0; ++i) {
     g *= std::clamp(glm::dot(x - p[i], inward(p, i, m_k)) / delta + 1, 0.0, 1.0);
   }
   return g;
