@@ -17,6 +17,7 @@
 #include "gpu/horizon_scene.h"
 #include "gpu/on_software.h"
 #include "gpu/pass_scene.h"
+#include "support/sanitized.h"
 
 namespace lkao::gl::tests::horizon_pass_test {
 namespace {

@@ -11,7 +11,6 @@
 #include "gpu/horizon_definition.h"
 #include "gpu/pixel_view.h"
 #include "support/meshes.h"
-#include "support/sanitized.h"
 
 namespace lkao::gl::tests {
 
@@ -38,7 +37,7 @@ inline HorizonOptions converging(HorizonOptions options, const PixelView& view) 
   return options;
 }
 inline std::vector<double> draw_converged(const PixelView& view, HorizonPass& pass, const HorizonOptions& options,
-                                          int seed_count = lkao::tests::kIsSanitized ? 1 : 2) {
+                                          int seed_count = 1) {
   return draw_mean(view, pass, converging(options, view), seed_count);
 }
 

@@ -13,6 +13,7 @@
 
 #include "gpu/horizon_scene.h"
 #include "gpu/on_software.h"
+#include "support/sanitized.h"
 
 namespace lkao::gl::tests::horizon_scenes_test {
 namespace {
