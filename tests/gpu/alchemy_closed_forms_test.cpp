@@ -125,6 +125,7 @@ TEST_F(AlchemyOfShapes, MiddleOfAPit) {
       }
       AlchemyOptions options = kOptions;
       options.radius = 39;
+      options.samples_per_band = 1024;
       const double mean = h * std::log((1 + options.epsilon) / (a * a + h * h + options.epsilon));
       EXPECT_NEAR(draw({camera, kSide, kSide, pixels}, options)[kMiddle], expected_occlusion(mean, options), 0.01);
     }

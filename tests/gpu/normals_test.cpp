@@ -17,8 +17,8 @@
 namespace lkao::gl::tests::normals_test {
 namespace {
 
-constexpr int kWidth = lkao::tests::unless_sanitized(128, 64);
-constexpr int kHeight = lkao::tests::unless_sanitized(96, 48);
+constexpr int kWidth = lkao::tests::unless_sanitized(96, 64);
+constexpr int kHeight = lkao::tests::unless_sanitized(72, 48);
 
 struct Format {
   const char* name;

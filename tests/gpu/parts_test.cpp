@@ -183,7 +183,7 @@ TEST_F(Parts, SizesByTurnsMakeNothingNew) {
   };
   for (const Accumulator accumulator : {Accumulator::logic_op, Accumulator::ssbo}) {
     std::vector<Picture> pictures;
-    for (const auto& [width, height] : {std::pair{96, 48}, {40, 64}, {96, 64}, {1, 1}}) {
+    for (const auto& [width, height] : {std::pair{48, 24}, {20, 32}, {48, 32}, {1, 1}}) {
       const Camera camera = room_camera(width, height);
       pictures.push_back({camera, GBufferPass(mesh_, camera, width, height), {}});
       PassOnMesh fresh = make_pass(mesh_, table(), {.accumulator = accumulator});
@@ -204,7 +204,7 @@ TEST_F(Parts, SizesByTurnsMakeNothingNew) {
     GLint width = 0, height = 0;
     glGetTextureLevelParameteriv(textures.back(), 0, GL_TEXTURE_WIDTH, &width);
     glGetTextureLevelParameteriv(textures.back(), 0, GL_TEXTURE_HEIGHT, &height);
-    EXPECT_EQ(std::pair(width, height), std::pair(96, 64));
+    EXPECT_EQ(std::pair(width, height), std::pair(48, 32));
   }
 }
 

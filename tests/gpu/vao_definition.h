@@ -24,10 +24,12 @@ class VaoDefinition {
  public:
   explicit VaoDefinition(const PixelView& view, int step = 1)
       : view_(view), step_(step), width_((view.width() - 1) / step + 1), height_((view.height() - 1) / step + 1) {
+    const glm::dmat4 view_from_world(view.camera().view);
     for (int y = 0; y < height_; ++y) {
       for (int x = 0; x < width_; ++x) {
         const glm::dvec3 begin = in_view(x, y, 1);
-        lines_.push_back({begin, in_view(x, y, 2) - begin});
+        const double depth = -(view_from_world * glm::dvec4(seen(x, y).position, 1)).z - 1;
+        lines_.push_back({begin, in_view(x, y, 2) - begin, depth});
       }
     }
   }
@@ -70,16 +72,14 @@ class VaoDefinition {
       const std::optional<glm::ivec2> pixel = pixel_of(ball, place);
       if (!pixel) continue;
       // The line of view through the middle of the pixel.
-      const auto& [a, along] = lines_[static_cast<std::size_t>(pixel->y * width_ + pixel->x)];
+      const auto& [a, along, depth] = lines_[static_cast<std::size_t>(pixel->y * width_ + pixel->x)];
       const double middle = glm::dot(centre - a, along) / glm::dot(along, along);
       const glm::dvec3 off = centre - a - middle * along;
       const double squared = (radius * radius - glm::dot(off, off)) / glm::dot(along, along);
       if (squared <= 0) continue;
       const double half = std::sqrt(squared), begin = middle - half, end = middle + half;
       whole += end - begin;
-      const SeenPixel& other = seen(pixel->x, pixel->y);
-      const double depth = -(glm::dmat4(view_.camera().view) * glm::dvec4(other.position, 1)).z - 1;
-      if (!other.is_there() || depth >= end) {
+      if (!seen(pixel->x, pixel->y).is_there() || depth >= end) {
         free += end - begin;
       } else if (depth > begin) {
         free += depth - begin;
@@ -147,9 +147,10 @@ class VaoDefinition {
     return glm::dvec3(glm::dmat4(view_.camera().view) * glm::dvec4(p, 1));
   }
 
-  // A line of view: where it is 1 along the view, and how it goes on from there.
+  // A line of view: where it is 1 along the view, how it goes on from there, and how far it sees, in units of that.
   struct Line {
     glm::dvec3 begin, along;
+    double depth;
   };
 
   const PixelView& view_;
