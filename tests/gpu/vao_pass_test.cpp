@@ -113,7 +113,7 @@ TEST_F(Vao, ConvergesToWhatAllPlacesOfTheDiscSee) {
       }
     }
     EXPECT_LT(largest, 0.02);
-    EXPECT_GT(sum, 5);
+    EXPECT_GT(sum, 5.0 / (kStep * kStep));
   }
 }
 
