@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
+
+#include <glm/vec3.hpp>
 
 #include "bvh/placement.h"
 #include "bvh/ray_box.h"
@@ -13,16 +16,8 @@ namespace {
 
 enum class Verdict { open, undecided, blocked };  // in this order: of several triangles the largest counts
 
-struct Vector {
-  long double x, y, z;
-};
-
-// Exact for floats, unless one is 2^40 times the other.
-Vector difference(const glm::vec3& a, const glm::vec3& b) {
-  return {static_cast<long double>(a.x) - static_cast<long double>(b.x),
-          static_cast<long double>(a.y) - static_cast<long double>(b.y),
-          static_cast<long double>(a.z) - static_cast<long double>(b.z)};
-}
+// Differences of what was float are exact, unless one is 2^40 times the other.
+using Vector = glm::vec<3, long double>;
 
 // A number and how far from it the true one may be.
 struct Bounded {
@@ -50,24 +45,20 @@ Bounded volume(const Vector& a, const Vector& b, const Vector& c) {
 // The segment from the origin, without it, to `ray`, and a triangle seen from there.
 Verdict decide(const Vector& ray, const Vector& a, const Vector& b, const Vector& c, Sidedness sidedness) {
   const Bounded beside[] = {volume(ray, a, b), volume(ray, b, c), volume(ray, c, a)};
-  const auto any = [&](bool (Bounded::*is)() const) {
-    return std::any_of(std::begin(beside), std::end(beside), [is](const Bounded& side) { return (side.*is)(); });
-  };
-  if (any(&Bounded::is_positive) && any(&Bounded::is_negative)) return Verdict::open;
+  if (std::ranges::any_of(beside, &Bounded::is_positive) && std::ranges::any_of(beside, &Bounded::is_negative)) {
+    return Verdict::open;
+  }
 
   // What the triangle spans with the origin and what it spans with the ray's end have the same sign where both lie on
   // the same side of its plane.
   const Bounded before = volume(a, b, c);
-  const auto end = [&](const Vector& corner) { return Vector{corner.x - ray.x, corner.y - ray.y, corner.z - ray.z}; };
-  const Bounded behind = volume(end(a), end(b), end(c));
+  const Bounded behind = volume(a - ray, b - ray, c - ray);
   if (before.value == 0 && before.error == 0) return Verdict::open;  // all in the plane of an axis
   if (before.is_sure() && behind.is_sure() && before.is_positive() == behind.is_positive()) return Verdict::open;
   // In front of it, the origin sees a negative volume.
   if (sidedness == Sidedness::one_sided && before.is_positive()) return Verdict::open;
 
-  const bool sure =
-      before.is_sure() && behind.is_sure() &&
-      std::all_of(std::begin(beside), std::end(beside), [](const Bounded& side) { return side.is_sure(); });
+  const bool sure = before.is_sure() && behind.is_sure() && std::ranges::all_of(beside, &Bounded::is_sure);
   return sure ? Verdict::blocked : Verdict::undecided;
 }
 
@@ -75,7 +66,7 @@ Verdict decide(const bvh::SceneLayout& scene, const Receiver& receiver, const Re
                Sidedness sidedness) {
   const glm::vec3 segment = rays.ray(ray);
   const bvh::BoxRay box_ray(segment);
-  const Vector along = difference(segment, glm::vec3(0));
+  const Vector along(segment), origin(rays.origin);
   Verdict verdict = Verdict::open;
   for (std::size_t i = 0; i < scene.placements.size(); ++i) {
     const bvh::Placement& placement = scene.placements[i];
@@ -85,7 +76,7 @@ Verdict decide(const bvh::SceneLayout& scene, const Receiver& receiver, const Re
       if (primitive == receiver.excluded_primitive && i == receiver.excluded_instance) continue;
       Vector corners[3];
       for (int which = 0; which < 3; ++which) {
-        corners[which] = difference(bvh::place(placement.to_world, mesh.corner(primitive, which)), rays.origin);
+        corners[which] = Vector(bvh::place(placement.to_world, mesh.corner(primitive, which))) - origin;
       }
       if (placement.is_mirrored) std::swap(corners[1], corners[2]);
       verdict = std::max(verdict, decide(along, corners[0], corners[1], corners[2], sidedness));
