@@ -25,11 +25,12 @@ class VaoDefinition {
   explicit VaoDefinition(const PixelView& view, int step = 1)
       : view_(view), step_(step), width_((view.width() - 1) / step + 1), height_((view.height() - 1) / step + 1) {
     const glm::dmat4 view_from_world(view.camera().view);
+    const auto in_view = [&](const glm::dvec3& p) { return glm::dvec3(view_from_world * glm::dvec4(p, 1)); };
     for (int y = 0; y < height_; ++y) {
       for (int x = 0; x < width_; ++x) {
-        const glm::dvec3 begin = in_view(x, y, 1);
-        const double depth = -(view_from_world * glm::dvec4(seen(x, y).position, 1)).z - 1;
-        lines_.push_back({begin, in_view(x, y, 2) - begin, depth});
+        const SightLine line(view.camera(), view.width(), view.height(), step * x, step * y);
+        const glm::dvec3 begin = in_view(line.at(1));
+        lines_.push_back({begin, in_view(line.at(2)) - begin, -in_view(seen(x, y).position).z - 1});
       }
     }
   }
@@ -142,10 +143,6 @@ class VaoDefinition {
     return static_cast<int>(std::floor((place - 0.5) / step_ + 0.5));
   }
   bool is_perspective() const { return view_.camera().projection[2][3] != 0; }
-  glm::dvec3 in_view(int x, int y, double along) const {
-    const glm::dvec3 p = seen_at(view_.camera(), view_.width(), view_.height(), step_ * x, step_ * y, along);
-    return glm::dvec3(glm::dmat4(view_.camera().view) * glm::dvec4(p, 1));
-  }
 
   // A line of view: where it is 1 along the view, how it goes on from there, and how far it sees, in units of that.
   struct Line {

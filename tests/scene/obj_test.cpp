@@ -15,7 +15,9 @@ const std::string kPoints = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 
 class Obj : public testing::Test {
  protected:
-  MeshFile open(const std::string& text) const { return open_mesh_file(folder_.write("a.obj", text)); }
+  MeshFile open(const std::string& text, const ReadOptions& options = {}) const {
+    return open_mesh_file(folder_.write("a.obj", text), options);
+  }
   Mesh read(const std::string& text) const { return open(text).mesh; }
   void refuse(const std::string& text, const std::string& fault) const {
     expect_refused(folder_.write("a.obj", text), fault);
@@ -193,9 +195,9 @@ TEST_F(Obj, MapsOfHolesMayBeScaledAndMoved) {
                 "newmtl last\nmap_d mask.img\n");
   const std::string text = "mtllib a.mtl\n" + kPoints + "vt 0 0\nvt 1 0\nvt 0 1\n";
   const std::string face = "f 1/1 2/2 3/3\n";
-  const MeshFile file = open_mesh_file(folder_.write("a.obj", text + "usemtl leaf\n" + face + "usemtl last\n" + face +
-                                                                  "usemtl other\nf 1 2/2 3\n" + face),
-                                       {.decode_alpha = decode_alpha_file});
+  const MeshFile file =
+      open(text + "usemtl leaf\n" + face + "usemtl last\n" + face + "usemtl other\nf 1 2/2 3\n" + face,
+           {.decode_alpha = decode_alpha_file});
   ASSERT_NE(file.mesh.holes, nullptr);
   using Uvs = std::array<glm::vec2, 3>;
   const std::vector<HoleTriangle>& triangles = file.mesh.holes->triangles;
@@ -213,7 +215,7 @@ TEST_F(Obj, OptionsOfMapsThatAreNotObeyedAreSaid) {
                 "newmtl a\nmap_d -mm 0 2 -t 0 0.1 -blendu off mask.img\nnewmtl b\nmap_d -imfchan r mask.img\n"
                 "newmtl c\nmap_d -mm 0 1 -t 0 0 0 -imfchan m mask.img\nnewmtl unused\nmap_d -mm 1 1 mask.img\n");
   const std::string text = "mtllib a.mtl\n" + kPoints + "usemtl a\nf 1 2 3\nusemtl b\nf 1 2 3\nusemtl c\nf 1 2 3\n";
-  const MeshFile file = open_mesh_file(folder_.write("a.obj", text), {.decode_alpha = decode_alpha_file});
+  const MeshFile file = open(text, {.decode_alpha = decode_alpha_file});
   ASSERT_EQ(file.contents.remarks.size(), 4u);
   EXPECT_EQ(file.contents.remarks[0], "map_d: -mm, -t of material \"a\" and of 1 more are not obeyed");
 }
@@ -222,8 +224,7 @@ TEST_F(Obj, ImagesOfHolesThatCannotBeReadAreSaid) {
   folder_.write("short.img", "x");
   folder_.write("a.mtl", "newmtl a\nmap_d no.img\nnewmtl b\nmap_d short.img\nd 0.5\nnewmtl c\nmap_d no.img\n");
   const MeshFile file =
-      open_mesh_file(folder_.write("a.obj", "mtllib a.mtl\n" + kPoints + "usemtl a\nf 1 2 3\nusemtl b\nf 1 2 3\n"),
-                     {.decode_alpha = decode_alpha_file});
+      open("mtllib a.mtl\n" + kPoints + "usemtl a\nf 1 2 3\nusemtl b\nf 1 2 3\n", {.decode_alpha = decode_alpha_file});
   EXPECT_EQ(
       file.contents.remarks,
       (std::vector<std::string>{
