@@ -1,9 +1,5 @@
 #include "cli/program.h"
 
-#ifdef LKAO_RUN_IN_PROCESS
-#include "cli/in_process.h"
-#endif
-
 #include <fcntl.h>
 #include <spawn.h>
 #include <sys/wait.h>
@@ -15,6 +11,10 @@
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
+
+#ifdef LKAO_RUN_IN_PROCESS
+#include "cli/in_process.h"
+#endif
 
 namespace lkao::test {
 namespace fs = std::filesystem;
@@ -67,6 +67,20 @@ int wait_for(pid_t process) {
   return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
 }
 
+// run(arguments, file of stdout, file of stderr) returns the exit code.
+template <typename Run>
+ProgramResult result_of(const Run& run, const Arguments& arguments) {
+  const fs::path folder = make_folder();
+  const fs::path out = folder / "out";
+  const fs::path err = folder / "err";
+  ProgramResult result;
+  result.exit_code = run(arguments, out, err);
+  result.out = contents_of(out);
+  result.err = contents_of(err);
+  fs::remove_all(folder);
+  return result;
+}
+
 using Snapshot = std::vector<std::pair<std::string, std::string>>;
 
 Snapshot snapshot_of(const fs::path& folder, const std::vector<std::string>& names) {
@@ -81,19 +95,15 @@ Snapshot snapshot_of(const fs::path& folder, const std::vector<std::string>& nam
 }  // namespace
 
 ProgramResult run_program(const Arguments& arguments) {
-  const fs::path folder = make_folder();
-  const fs::path out = folder / "out";
-  const fs::path err = folder / "err";
-  ProgramResult result;
 #ifdef LKAO_RUN_IN_PROCESS
-  result.exit_code = run_in_process(arguments, out, err);
+  return result_of(run_in_process, arguments);
 #else
-  result.exit_code = wait_for(start(arguments, out, err));
+  return run_as_process(arguments);
 #endif
-  result.out = contents_of(out);
-  result.err = contents_of(err);
-  fs::remove_all(folder);
-  return result;
+}
+
+ProgramResult run_as_process(const Arguments& arguments) {
+  return result_of([](auto&&... all) { return wait_for(start(all...)); }, arguments);
 }
 
 RunningProgram::RunningProgram(const Arguments& arguments) : process_(start(arguments, "/dev/null", "/dev/null")) {}
@@ -140,6 +150,17 @@ void ProgramTest::expect_rejected(const Arguments& arguments, const std::vector<
     EXPECT_NE(result.err.find(word), std::string::npos) << word << " / " << result.err;
   EXPECT_TRUE(snapshot_of(folder_, files()) == before)
       << "files were changed, now: " << ::testing::PrintToString(files());
+}
+
+void ProgramTest::expect_same_as_process(const Arguments& arguments, const std::string& output) const {
+  const ProgramResult here = run_program(arguments);
+  const std::string written = read_file(output);
+  fs::remove(path(output));
+  const ProgramResult there = run_as_process(arguments);
+  EXPECT_EQ(there.exit_code, here.exit_code);
+  EXPECT_EQ(there.out, here.out);
+  EXPECT_EQ(there.err, here.err);
+  EXPECT_TRUE(read_file(output) == written) << output << " is not the same";
 }
 
 ProgramResult ProgramTest::expect_success(const Arguments& arguments) const {

@@ -24,6 +24,9 @@ using Arguments = std::vector<std::string>;
 // it does in this process.
 ProgramResult run_program(const Arguments& arguments);
 
+// A process of its own, always.
+ProgramResult run_as_process(const Arguments& arguments);
+
 // A process of its own, always, that a test can interrupt. Its output goes nowhere.
 class RunningProgram {
  public:
@@ -57,6 +60,8 @@ class ProgramTest : public testing::Test {
   // The arguments are answered with exit code 2, nothing on stdout, one line on stderr that begins with the program's
   // name and contains `words`, and no file made or changed.
   void expect_rejected(const Arguments& arguments, const std::vector<std::string>& words) const;
+  // As a process of its own the program returns, prints and writes into `output` what it does in this process.
+  void expect_same_as_process(const Arguments& arguments, const std::string& output) const;
   // Exit code 0 and nothing on stderr.
   ProgramResult expect_success(const Arguments& arguments) const;
 

@@ -31,13 +31,28 @@ class Program : public ProgramTest {
   }
 };
 
-// Whatever the other tests run.
+// The other tests run what it does in their own process.
 TEST_F(Program, IsAProcessOfItsOwn) {
-  EXPECT_EQ(
-      RunningProgram({"render", "builtin:wall", "--size", "32x24", "--radius", "1", "-o", path("out.exr")}).wait(), 0);
-  EXPECT_EQ(files(), std::vector<std::string>{"out.exr"});
-  EXPECT_EQ(RunningProgram({"compare", path("out.exr"), path("out.exr")}).wait(), 0);
-  EXPECT_EQ(RunningProgram({"info", path("nowhere.ply")}).wait(), 2);
+  const Arguments rays = {"--radius", "1", "--samples", "64"};
+  const auto with_rays = [&](Arguments arguments) {
+    arguments.insert(arguments.end(), rays.begin(), rays.end());
+    return arguments;
+  };
+  const Arguments render = with_rays({"render", "builtin:wall", "--size", "32x24"});
+  for (const char* method : {"bvh", "embree"}) {
+    SCOPED_TRACE(method);
+    Arguments arguments = render;
+    arguments.insert(arguments.end(), {"--method", method, "-o", path("out.exr"), "--quiet"});
+    expect_same_as_process(arguments, "out.exr");
+  }
+  expect_same_as_process(with_rays({"bake", "builtin:wall", "-o", path("out.ply"), "--quiet"}), "out.ply");
+  expect_same_as_process({"simplify", path("out.ply"), "--radius", "1", "-o", path("chain.json"), "--quiet"},
+                         "chain.1.ply");
+  expect_same_as_process({"compare", path("out.exr"), path("out.exr"), "--json", path("out.json")}, "out.json");
+  expect_same_as_process({"info", path("out.ply")}, "none");
+  expect_same_as_process({"info", path("nowhere.ply")}, "none");
+  expect_same_as_process({"render", "builtin:wall"}, "none");
+  expect_same_as_process({"--version"}, "none");
 }
 
 TEST_F(Program, HelpNamesTheSubcommands) {

@@ -45,6 +45,10 @@ TEST_F(RasterRender, DrawsWhatSurroundsTheSceneToo) {
   EXPECT_LT(image::compare(channel("raster.exr", "occlusion"), channel("bvh.exr", "occlusion")).mae, 1e-4);
 }
 
+TEST_F(RasterRender, IsTheSameAsAProcessOfItsOwn) {
+  expect_same_as_process(render("raster", "33x17", {"--quiet"}), "raster.exr");
+}
+
 TEST_F(RasterRender, IsThePictureOfTheTraversal) {
   const Arguments layers = {"--bent-normals", "--depth", "--normal-channels", "--seed", "4"};
   for (const char* size : {"1x1", "33x17", "17x33", "64x48"}) {
