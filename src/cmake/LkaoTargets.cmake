@@ -113,7 +113,10 @@ function(lkao_compile_only)
 endfunction()
 
 # Half of the time to compile a test goes into making its few instructions fast.
-set(lkao_test_options -O1 ${lkao_cold_if_sanitized})
+set(lkao_test_options -O1)
+if(LKAO_SANITIZE)
+  set(lkao_test_options -O0)
+endif()
 
 # lkao_test(NAME [HOT] SOURCES a.cpp ... LINKS x ... [LABELS slow|tsan ...] [READS path ...] [COST seconds])
 #   A GoogleTest program lkao_test_NAME, each of its tests known to CTest. Tests with the label "slow" are left out
@@ -132,6 +135,11 @@ function(lkao_test NAME)
     set(options -O1)
   endif()
   target_compile_options(lkao_test_${NAME} PRIVATE ${options})
+  if(LKAO_SANITIZE AND "lkao" IN_LIST test_LINKS)
+    # Of an inline function that several objects have the first is linked: not the unoptimised one of a test.
+    target_link_options(lkao_test_${NAME} PRIVATE
+      "LINKER:--whole-archive,$<TARGET_FILE:lkao>,$<TARGET_FILE:lkao_lut>,--no-whole-archive")
+  endif()
   if(LKAO_SANITIZE AND "slow" IN_LIST test_LABELS)
     lkao_compile_only(lkao_test_${NAME})
     return()

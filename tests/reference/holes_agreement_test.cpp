@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "bvh/ray_triangle.h"
 #include "meshes.h"
 #include "reference/embree_reference.h"
 #include "scene/alpha_files.h"
