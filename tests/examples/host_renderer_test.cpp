@@ -11,15 +11,20 @@
 #include "cli/program.h"
 #include "image/image.h"
 #include "image/metrics.h"
+#include "support/sanitized.h"
 
 namespace lkao::test {
 namespace {
 
+constexpr int kWidth = tests::unless_sanitized(64, 32), kHeight = tests::unless_sanitized(48, 24);
+
 class HostRenderer : public ProgramTest {
  protected:
-  ProgramResult render(const std::string& scene, const std::string& ao) const {
-    return expect_success(
-        {scene, "--ao", ao, "--rays", "64", "--width", "64", "--height", "48", "-o", path(ao + ".png")});
+  ProgramResult render(const std::string& scene, const std::string& ao, const Arguments& more = {}) const {
+    Arguments arguments = {scene, "--ao", ao, "--rays", "64", "-o", path(ao + ".png")};
+    arguments.insert(arguments.end(), {"--width", std::to_string(kWidth), "--height", std::to_string(kHeight)});
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return expect_success(arguments);
   }
 };
 
@@ -27,18 +32,18 @@ TEST_F(HostRenderer, MismatchesHardlyAnyRay) {
   const std::string out = render("builtin:atrium", "both").out;
   EXPECT_THAT(out, testing::ContainsRegex("embree +[0-9.]+ s\nlkao +[0-9.]+ s\nlkao is [0-9.]+ times as fast\n"));
   // Embree works in single precision: some rays in a million may differ.
-  EXPECT_THAT(out, testing::ContainsRegex("; [0-2] of 196608 rays mismatched\n"));
+  const std::string rays = std::to_string(64 * kWidth * kHeight);
+  EXPECT_THAT(out, testing::ContainsRegex("; [0-2] of " + rays + " rays mismatched\n"));
 }
 
 // The scene in three places, and a light over the first.
 TEST_F(HostRenderer, TakesInstancesAndALight) {
-  for (const std::vector<std::string>& more :
-       {std::vector<std::string>{}, std::vector<std::string>{"--light", "0,8,0,1"}}) {
-    std::vector<std::string> arguments{"builtin:atrium", "--ao", "both",     "--rays", "64", "--width",         "64",
-                                       "--height",       "48",   "--copies", "3",      "-o", path("copies.png")};
+  for (const Arguments& more : {Arguments{}, {"--light", "0,8,0,1"}}) {
+    Arguments arguments{"--copies", "3"};
     arguments.insert(arguments.end(), more.begin(), more.end());
-    EXPECT_THAT(expect_success(arguments).out, testing::ContainsRegex("; [0-9] of [1-9][0-9]* rays mismatched\n"));
-    const image::Image copies = image::read_image(path("copies.png"));
+    EXPECT_THAT(render("builtin:atrium", "both", arguments).out,
+                testing::ContainsRegex("; [0-9] of [1-9][0-9]* rays mismatched\n"));
+    const image::Image copies = image::read_image(path("both.png"));
     const auto [darkest, brightest] = std::minmax_element(copies.pixels.begin(), copies.pixels.end());
     EXPECT_LT(*darkest, 0.5f);
     EXPECT_GT(*brightest, 0.8f);
@@ -49,8 +54,8 @@ TEST_F(HostRenderer, ImagesAreTheSame) {
   for (const char* ao : {"embree", "lkao", "both"}) render("builtin:sphere", ao);
   EXPECT_EQ(read_file("lkao.png"), read_file("both.png"));
   const image::Image embree = image::read_image(path("embree.png")), lkao = image::read_image(path("lkao.png"));
-  EXPECT_EQ(lkao.width, 64);
-  EXPECT_EQ(lkao.height, 48);
+  EXPECT_EQ(lkao.width, kWidth);
+  EXPECT_EQ(lkao.height, kHeight);
   EXPECT_LT(image::compare(embree.pixels, lkao.pixels).mae, 1e-5);
   const auto [darkest, brightest] = std::minmax_element(lkao.pixels.begin(), lkao.pixels.end());
   EXPECT_LT(*darkest, 0.5f);
