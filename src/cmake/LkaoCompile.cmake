@@ -50,19 +50,23 @@ elseif(LKAO_SANITIZE AND NOT LKAO_SANITIZE MATCHES "fuzzer")
 else()
   add_compile_definitions(HWY_DISABLED_TARGETS=HWY_SSSE3)
 endif()
-# For what reads options, once: a third of the time to compile CLI11 goes into making it fast, and under sanitizers more
-# than half of the time to compile anything.
+# A third of the time to compile goes into making code fast, and under sanitizers more than half. lkao_cold is for what
+# reads options, once; lkao_cool for what computes little beside the libraries, where a build is only to be tested.
 if(NOT MSVC)
   set(lkao_cold "$<$<NOT:$<CONFIG:Debug>>:-O1>")
+  set(lkao_cool "")
   if(LKAO_SANITIZE)
     set(lkao_cold -O0)
-    set(lkao_cold_if_sanitized -O0)
+    set(lkao_cool -O0)
+  elseif(LKAO_QUICK_BUILD)
+    set(lkao_cold -O0)
+    set(lkao_cool -O1)
   endif()
 endif()
 # Most of the time to compile a source goes into what it includes.
 if(LKAO_UNITY_BUILD)
   set(CMAKE_UNITY_BUILD ON)
-  set(CMAKE_UNITY_BUILD_BATCH_SIZE 32)
+  set(CMAKE_UNITY_BUILD_BATCH_SIZE 40)
 endif()
 if(LKAO_WERROR)
   set(CMAKE_COMPILE_WARNING_AS_ERROR ON)
