@@ -30,7 +30,7 @@ import xml.etree.ElementTree as xml
 from stamps import Stamps, key_of
 from test_inputs import program_key, surroundings
 
-BATCH_SIZE = 25
+LARGEST_BATCH = 100
 FILTER = "--gtest_filter="
 FIXTURES = ("FIXTURES_SETUP", "FIXTURES_REQUIRED")
 
@@ -217,8 +217,9 @@ def stop(*_):
 
 
 def batches_of(tests):
-    for first in range(0, len(tests), BATCH_SIZE):
-        yield tests[first : first + BATCH_SIZE]
+    """As few as may be, of the same size: what a program makes for all its tests it makes again in each."""
+    count = -(-len(tests) // LARGEST_BATCH)
+    return [tests[len(tests) * i // count : len(tests) * (i + 1) // count] for i in range(count)]
 
 
 def groups_of(tests):
