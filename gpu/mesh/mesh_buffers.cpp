@@ -56,7 +56,7 @@ template <typename Take>
 void with_packed(const PositionView& positions, const Take& take) {
   if (positions.is_packed()) return take(positions.data());
   std::vector<glm::vec3> packed(positions.size());
-  for (std::size_t i = 0; i < packed.size(); ++i) packed[i] = positions[i];
+  for (std::size_t i = 0; i < positions.size(); ++i) packed[i] = positions[i];
   take(static_cast<const void*>(packed.data()));
 }
 
