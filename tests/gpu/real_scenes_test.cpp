@@ -100,7 +100,7 @@ TEST_P(RealScenes, AreWhatTheQueryAnswers) {
 
 TEST_P(RealScenes, AreCulledAsInThePaper) {
   const PlaneMaskTable table(SamplePattern::standard(64), {.resolution = 32, .masks = PlaneMasks::nearest});
-  see_at({32, 24});
+  see_at({24, 18});
   PassOnMesh pass = make_pass(mesh_, table, {.count_fragments = true});
   const RayOptions options{.radius = GetParam().radius, .sidedness = Sidedness::one_sided};
   RasterOptions raster{.culls = {false, false, false, false, false}};
