@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """tidy.py [--steps N] FOLDER PLACE ...: clang-tidy over the sources under each place; FOLDER was configured for Clang.
 
-The static analyzer follows the paths through a function for 225,000 steps, or for as many as --steps says: 20,000 take a
-third of the time, and the findings of this project were all within them.
+The static analyzer follows the paths through a function for 225,000 steps, or for as many as --steps says. 20,000 take
+a third of the time, and the one fault it has found here is among what it finds so.
 
 Sources that the build compiles as one (LKAO_UNITY_BUILD) are looked at as one, since most of the time goes into what
 they include. Their texts are put into one file: the analyzer passes by what a file includes.
@@ -99,7 +99,8 @@ def main():
     def look_at(entry):
         sources = [path for path in sources_of(entry) if path in wanted]
         made_from = headers.get(object_of(entry))
-        key = key_of([version, entry["command"], analyzer], [".clang-tidy"] + sources + made_from) if made_from else None
+        words = [version, entry["command"], analyzer]
+        key = key_of(words, [".clang-tidy"] + sources + made_from) if made_from else None
         if key and stamps.is_good(entry["file"], key):
             return "unchanged", len(sources)
         together = Together(folder, sources)
