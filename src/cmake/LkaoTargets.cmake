@@ -174,3 +174,11 @@ function(lkao_test NAME)
   endif()
   gtest_discover_tests(lkao_test_${NAME} DISCOVERY_TIMEOUT 60 PROPERTIES ${properties})
 endfunction()
+
+# lkao_test_starts(NAME PROGRAM)
+#   The tests lkao_test_NAME start the target PROGRAM, LKAO_PROGRAM in their sources: it is made before they are linked,
+#   and not, as with add_dependencies, before they are compiled.
+function(lkao_test_starts NAME PROGRAM)
+  target_compile_definitions(lkao_test_${NAME} PRIVATE "LKAO_PROGRAM=\"$<TARGET_FILE:${PROGRAM}>\"")
+  set_target_properties(lkao_test_${NAME} PROPERTIES LINK_DEPENDS $<TARGET_FILE:${PROGRAM}>)
+endfunction()
