@@ -60,8 +60,9 @@ class ProgramTest : public testing::Test {
   // The arguments are answered with exit code 2, nothing on stdout, one line on stderr that begins with the program's
   // name and contains `words`, and no file made or changed.
   void expect_rejected(const Arguments& arguments, const std::vector<std::string>& words) const;
-  // As a process of its own the program returns, prints and writes into `output` what it does in this process.
-  void expect_same_as_process(const Arguments& arguments, const std::string& output) const;
+  // As a process of its own the program returns, prints and writes into `output`, if that is not empty, what it does in
+  // this process. Returns the exit code.
+  int expect_same_as_process(const Arguments& arguments, const std::string& output = "") const;
   // Exit code 0 and nothing on stderr.
   ProgramResult expect_success(const Arguments& arguments) const;
 

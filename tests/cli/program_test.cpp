@@ -33,26 +33,29 @@ class Program : public ProgramTest {
 
 // The other tests run what it does in their own process.
 TEST_F(Program, IsAProcessOfItsOwn) {
-  const Arguments rays = {"--radius", "1", "--samples", "64"};
-  const auto with_rays = [&](Arguments arguments) {
-    arguments.insert(arguments.end(), rays.begin(), rays.end());
-    return arguments;
+  const auto expect_same = [&](Arguments arguments, const Arguments& more, const std::string& output) {
+    SCOPED_TRACE(testing::PrintToString(arguments));
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    EXPECT_EQ(expect_same_as_process(arguments, output), 0);
   };
-  const Arguments render = with_rays({"render", "builtin:wall", "--size", "32x24"});
-  for (const char* method : {"bvh", "embree"}) {
-    SCOPED_TRACE(method);
-    Arguments arguments = render;
-    arguments.insert(arguments.end(), {"--method", method, "-o", path("out.exr"), "--quiet"});
-    expect_same_as_process(arguments, "out.exr");
+  const Arguments render = {"render", "builtin:wall", "--size", "32x24", "-o", path("out.exr")};
+  const Arguments bake = {"bake", "builtin:wall", "-o", path("out.ply")};
+  const Arguments rays = {"--radius", "1", "--samples", "64", "--quiet"};
+  expect_same(render, rays, "out.exr");
+  expect_same(bake, rays, "out.ply");
+  expect_same({"simplify", path("out.ply"), "-o", path("chain.json")}, {"--radius", "1", "--quiet"}, "chain.1.ply");
+  expect_same({"compare", path("out.exr"), path("out.exr")}, {"--json", path("out.json")}, "out.json");
+  expect_same({"info", path("out.ply")}, {}, "");
+  expect_same({"--version"}, {}, "");
+  for (const char* part : {"1/2", "2/2"}) {
+    Arguments arguments = bake;
+    arguments.insert(arguments.end(), {"--part", part});
+    expect_same(arguments, rays, std::string("out.ply.") + part[0] + "of2.part");
   }
-  expect_same_as_process(with_rays({"bake", "builtin:wall", "-o", path("out.ply"), "--quiet"}), "out.ply");
-  expect_same_as_process({"simplify", path("out.ply"), "--radius", "1", "-o", path("chain.json"), "--quiet"},
-                         "chain.1.ply");
-  expect_same_as_process({"compare", path("out.exr"), path("out.exr"), "--json", path("out.json")}, "out.json");
-  expect_same_as_process({"info", path("out.ply")}, "none");
-  expect_same_as_process({"info", path("nowhere.ply")}, "none");
-  expect_same_as_process({"render", "builtin:wall"}, "none");
-  expect_same_as_process({"--version"}, "none");
+  expect_same({"merge", path("out.ply.1of2.part"), path("out.ply.2of2.part"), "--quiet"}, {}, "out.ply");
+
+  EXPECT_EQ(expect_same_as_process({"info", path("nowhere.ply")}), 2);
+  EXPECT_EQ(expect_same_as_process({"render", "builtin:wall"}), 2);
 }
 
 TEST_F(Program, HelpNamesTheSubcommands) {

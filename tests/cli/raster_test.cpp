@@ -47,7 +47,7 @@ TEST_F(RasterRender, DrawsWhatSurroundsTheSceneToo) {
 }
 
 TEST_F(RasterRender, IsTheSameAsAProcessOfItsOwn) {
-  expect_same_as_process(render("raster", "33x17", {"--quiet"}), "raster.exr");
+  EXPECT_EQ(expect_same_as_process(render("raster", "33x17", {"--quiet"}), "raster.exr"), 0);
 }
 
 TEST_F(RasterRender, IsThePictureOfTheTraversal) {
