@@ -51,16 +51,15 @@ else()
   add_compile_definitions(HWY_DISABLED_TARGETS=HWY_SSSE3)
 endif()
 # A third of the time to compile goes into making code fast, and under sanitizers more than half. lkao_cold is for what
-# reads options, once; lkao_cool for what computes little beside the libraries, where a build is only to be tested.
+# reads options, once; the others, empty elsewhere, are for what computes little beside the libraries.
 if(NOT MSVC)
   set(lkao_cold "$<$<NOT:$<CONFIG:Debug>>:-O1>")
-  set(lkao_cool "")
   if(LKAO_SANITIZE)
     set(lkao_cold -O0)
-    set(lkao_cool -O0)
+    set(lkao_cold_if_sanitized -O0)
   elseif(LKAO_QUICK_BUILD)
     set(lkao_cold -O0)
-    set(lkao_cool -O1)
+    set(lkao_cool_if_quick -O1)
   endif()
 endif()
 # Most of the time to compile a source goes into what it includes.
